@@ -1,0 +1,81 @@
+"""Formulas as plain Python that numba compiles: one source, two ways to run it.
+
+``@compiled`` turns a function of floats and ``NamedTuple``s into machine code;
+``f.py_func`` is still the Python one. ``@law`` makes a function whose formula is chosen
+by the type of its first argument, in both worlds: that is how another aerodynamic model
+or another steering programme takes its place without touching the dynamics.
+"""
+
+import hashlib
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+from numba import njit
+from numba.extending import overload
+from platformdirs import user_cache_path
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+@cache
+def cache_folder() -> Path:
+    """Where machine code is kept: one folder for each state of the formulas.
+
+    numba notices a change in a function's own file only, never in the files of the
+    functions that it calls, so the name carries a hash of every formula.
+    """
+    package = Path(__file__).parent.parent
+    digest = hashlib.sha256()
+    for source in sorted([*package.glob("physics/*.py"), *package.glob("dynamics/*.py")]):
+        digest.update(source.read_bytes())
+    return user_cache_path("kitemj") / f"compiled-{digest.hexdigest()[:16]}"
+
+
+def compiled(function: F) -> F:
+    """Machine code for `function`, kept on disk, free of the interpreter's lock."""
+    elsewhere = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(cache_folder())
+    try:
+        return njit(cache=True, nogil=True, error_model="numpy")(function)  # type: ignore[no-any-return]
+    finally:
+        numba.config.CACHE_DIR = elsewhere
+
+
+class Law:
+    """A formula for each type of first argument; see `law`."""
+
+    def __init__(self, contract: Callable[..., Any]) -> None:
+        self.formulas: dict[type, Callable[..., Any]] = {}
+        self.contract = contract
+
+    def of(self, kind: type) -> Callable[[F], F]:
+        """Registers the decorated function as the formula for `kind` (a ``NamedTuple``)."""
+
+        def register(function: F) -> F:
+            self.formulas[kind] = function
+            return function
+
+        return register
+
+
+def law(contract: F) -> tuple[F, Law]:
+    """The function to call and the `Law` to register formulas with.
+
+    `contract` has the signature and the docstring; its body is never run.
+    """
+    register = Law(contract)
+
+    def by_type(*arguments: Any) -> Any:
+        return register.formulas[type(arguments[0])](*arguments)
+
+    by_type.__doc__, by_type.__name__ = contract.__doc__, contract.__name__
+
+    @overload(by_type, strict=False)
+    def choose(*arguments: Any) -> Any:
+        formula = register.formulas[arguments[0].instance_class]
+        return lambda *arguments: formula(*arguments)
+
+    return by_type, register  # type: ignore[return-value]
