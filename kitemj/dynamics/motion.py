@@ -7,7 +7,7 @@ from kitemj.physics.frames import Angles, angles
 from kitemj.physics.loads import Air, air
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Programme
-from kitemj.physics.vectors import Rotation, Vector, cross, minus, norm, plus, times, unrotated
+from kitemj.physics.vectors import Rotation, Vector, cross, plus, times, unrotated
 
 
 class Pair(NamedTuple):
@@ -113,8 +113,3 @@ def energy(parameters: Parameters, body: Body) -> float:
     translation = kite.mass * (v.x * v.x + v.y * v.y + v.z * v.z)
     return 0.5 * (translation + spin) + kite.mass * parameters.environment.gravity * height
 
-
-@compiled
-def distance(a: Body, b: Body) -> float:
-    """Distance [m] between the two centres of mass."""
-    return norm(minus(a.p_G_E, b.p_G_E))
