@@ -1,0 +1,1 @@
+"""How the kite moves: formulations that never import one another."""

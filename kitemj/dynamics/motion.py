@@ -112,4 +112,3 @@ def energy(parameters: Parameters, body: Body) -> float:
     height = -body.p_G_E.z
     translation = kite.mass * (v.x * v.x + v.y * v.y + v.z * v.z)
     return 0.5 * (translation + spin) + kite.mass * parameters.environment.gravity * height
-

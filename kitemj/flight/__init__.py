@@ -1,0 +1,1 @@
+"""Time and record: equilibrium, scenarios, simulation, comparison."""

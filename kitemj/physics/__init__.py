@@ -1,0 +1,1 @@
+"""What acts on the kite: pure functions; no state, no engine."""

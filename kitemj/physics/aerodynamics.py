@@ -45,16 +45,21 @@ class LinearAero(NamedTuple):
     V_ref: Annotated[float, Quantity("m/s", "fixed speed that scales the rates", gt=0)]
 
 
-class TableAero(NamedTuple):
-    """A general table: each coefficient is Σ_k α^k (c_0k + c_βk β + c_pk p̂ + c_qk q̂ + c_rk r̂ + Σ c_sk s).
+Powers = tuple[float, float, float]
+Row = tuple[Powers, Powers, Powers, Powers, Powers, Powers, Powers, Powers]
 
-    `table` is indexed [coefficient x y z l m n][term 1 β p̂ q̂ r̂ s₁ s₂ s₃][power of α 0 1 2];
+
+class TableAero(NamedTuple):
+    """A general table: each coefficient is
+    Σ_k α^k (c_0k + c_βk β + c_pk p̂ + c_qk q̂ + c_rk r̂ + c_1k s₁ + c_2k s₂ + c_3k s₃).
+
+    `table` is indexed [coefficient x y z l m n][term 1 β p̂ q̂ r̂ s₁ s₂ s₃][k = 0 1 2];
     s are the deflections [rad] of up to three control surfaces. Rates are scaled by the
     airspeed: p̂ = b p / (2|v|), q̂ = c q / (2|v|), r̂ = b r / (2|v|).
     """
 
-    table: tuple[tuple[tuple[float, float, float], ...], ...]
-    surfaces: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    table: tuple[Row, Row, Row, Row, Row, Row]
+    surfaces: Powers = (0.0, 0.0, 0.0)
 
 
 def _coefficients(
@@ -122,9 +127,7 @@ def table_coefficients(
 
 
 @compiled
-def _row(
-    row: tuple[tuple[float, float, float], ...], terms: tuple[float, ...], alpha: float
-) -> float:
+def _row(row: Row, terms: tuple[float, ...], alpha: float) -> float:
     total = 0.0
     for i in range(len(terms)):
         total += terms[i] * (row[i][0] + alpha * (row[i][1] + alpha * row[i][2]))

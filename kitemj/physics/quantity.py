@@ -1,10 +1,13 @@
 """The unit, meaning and bounds that a parameter carries in its type annotation."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+
+from annotated_types import BaseMetadata, Ge, GroupedMetadata, Gt, Le, Lt
 
 
 @dataclass(frozen=True)
-class Quantity:
+class Quantity(GroupedMetadata):
     """``Annotated[float, Quantity("kg", "mass of the kite", gt=0)]``."""
 
     unit: str
@@ -12,3 +15,15 @@ class Quantity:
     gt: float | None = None
     ge: float | None = None
     lt: float | None = None
+    le: float | None = None
+
+    def __iter__(self) -> Iterator[BaseMetadata]:
+        """The bounds in the form that checking libraries read."""
+        if self.gt is not None:
+            yield Gt(self.gt)
+        if self.ge is not None:
+            yield Ge(self.ge)
+        if self.lt is not None:
+            yield Lt(self.lt)
+        if self.le is not None:
+            yield Le(self.le)

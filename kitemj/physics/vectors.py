@@ -73,6 +73,4 @@ def unrotated(R_BA: Rotation, v_B: Vector) -> Vector:
 @compiled
 def product(R_CB: Rotation, R_BA: Rotation) -> Rotation:
     """R_CA = R_CB R_BA."""
-    return Rotation(
-        unrotated(R_BA, R_CB.x), unrotated(R_BA, R_CB.y), unrotated(R_BA, R_CB.z)
-    )
+    return Rotation(unrotated(R_BA, R_CB.x), unrotated(R_BA, R_CB.y), unrotated(R_BA, R_CB.z))
