@@ -23,7 +23,7 @@ from typing import NamedTuple
 from kitemj.dynamics.linear import Four, Symmetric, solved
 from kitemj.dynamics.motion import Body, Pair
 from kitemj.physics.compiled import compiled
-from kitemj.physics.frames import Angles, R_2E, R_B2
+from kitemj.physics.frames import R_2E, R_B2, Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Kite, Parameters
 from kitemj.physics.steering import Control, line_motion

@@ -134,5 +134,8 @@ class LagrangeKite:
         ]
         if not solution.success:
             raise FlightError("lagrange", float(solution.t[-1]), solution.message, motions)
-        self.t, self.state = times[-1], State(Angles(*solution.y[:4, -1]), Angles(*solution.y[4:, -1]))
+        self.t, self.state = (
+            times[-1],
+            State(Angles(*solution.y[:4, -1]), Angles(*solution.y[4:, -1])),
+        )
         return motions

@@ -1,0 +1,141 @@
+"""MuJoCo as the compiled loop sees it: its C functions by name, its arrays by reference."""
+
+from typing import Any, NamedTuple
+
+import llvmlite.binding as llvm
+import numpy as np
+from numba import types
+from numpy.typing import NDArray
+
+from kitemj.dynamics.motion import Body
+from kitemj.model_files import model_file
+from kitemj.mujoco_import import mujoco
+from kitemj.physics.compiled import compiled
+from kitemj.physics.frames import Quaternion, R_BE_of, quaternion, world, world_quaternion
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.vectors import Vector
+
+Array = NDArray[np.float64]
+
+
+def _load_library() -> None:
+    """Makes the symbols of the very library that mujoco loaded known to compiled code."""
+    from pathlib import Path
+
+    folder = Path(mujoco.__file__).parent
+    names = ("libmujoco.so*", "libmujoco*.dylib", "mujoco.dll")
+    library = next(file for name in names for file in sorted(folder.glob(name)))
+    llvm.load_library_permanently(str(library))
+
+
+_load_library()
+forward = types.ExternalFunction("mj_forward", types.void(types.uintp, types.uintp))
+"""The engine's forward dynamics at the present qpos and qvel."""
+
+
+class Engine(NamedTuple):
+    """One flight's MuJoCo data. Rows of line arrays: 0 is A₊, 1 is A₋.
+
+    The engine's own arrays, by reference; then, for each line's constraint
+    J q̈ = -damping J q̇ - stiffness (length - target) - R f, its constants, and `softness`,
+    R f of the evaluation before (negative while the line pulls), and room for the stages.
+    """
+
+    model: int
+    data: int
+    qpos: Array
+    qvel: Array
+    qacc: Array
+    qfrc_applied: Array
+    eq_active: NDArray[np.uint8]
+    eq_data: Array
+    ten_length: Array
+    ten_velocity: Array
+    ten_length_0: Array
+    stiffness: Array
+    damping: Array
+    R: Array
+    softness: Array
+    stages: Array
+
+
+def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
+    """MjModel and MjData of ``models/kite.xml`` with the set's numbers, and the `Engine` on them.
+
+    `step` [s] sets how stiffly the lines hold: τ = 2 steps (k = 1/τ², b = 2/τ).
+    """
+    kite, length = parameters.kite, parameters.lines.length
+    spec = mujoco.MjSpec.from_file(str(model_file("kite.xml")))
+    spec.option.timestep = step
+    spec.option.gravity = (0.0, 0.0, -parameters.environment.gravity)
+    body = spec.body("kite")
+    body.pos = (-0.4 * length, 0.0, 0.9 * length)
+    body.mass = kite.mass
+    body.fullinertia = (
+        kite.inertia_x,
+        kite.inertia_y,
+        kite.inertia_z,
+        0.0,
+        -kite.inertia_xz,
+        0.0,
+    )
+    spec.site("A_plus").pos = (kite.x_A, kite.y_A, kite.z_A)
+    spec.site("A_minus").pos = (kite.x_A, -kite.y_A, kite.z_A)
+    skids = {
+        "skid_plus": (0.0, kite.span / 2, 0.0),
+        "skid_minus": (0.0, -kite.span / 2, 0.0),
+        "skid_nose": (kite.chord / 2, 0.0, 0.0),
+        "skid_tail": (-kite.chord / 2, 0.0, 0.0),
+    }
+    for name, position in skids.items():
+        spec.geom(name).pos = position
+    tau = 2 * step
+    for equality in spec.equalities:
+        equality.solref = (-1 / tau**2, -2 / tau)
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    K, b, impedance, _ = data.efc_KBIP[:2].T
+    engine = Engine(
+        model._address,
+        data._address,
+        data.qpos,
+        data.qvel,
+        data.qacc,
+        data.qfrc_applied,
+        data.eq_active.view(np.uint8),
+        model.eq_data,
+        data.ten_length,
+        data.ten_velocity,
+        model.tendon_length0,
+        K * impedance,
+        b.copy(),
+        data.efc_R[:2].copy(),
+        np.zeros(2),
+        np.zeros((3, 13)),
+    )
+    return model, data, engine
+
+
+@compiled
+def body_of(engine: Engine) -> Body:
+    """The pose and velocity that the engine holds, in E and B."""
+    p, v = engine.qpos, engine.qvel
+    scale = 1.0 / np.sqrt(p[3] * p[3] + p[4] * p[4] + p[5] * p[5] + p[6] * p[6])
+    turned = Quaternion(scale * p[3], scale * p[4], scale * p[5], scale * p[6])
+    return Body(
+        world(Vector(p[0], p[1], p[2])),
+        R_BE_of(world_quaternion(turned)),
+        world(Vector(v[0], v[1], v[2])),
+        Vector(v[3], v[4], v[5]),
+    )
+
+
+@compiled
+def place(engine: Engine, body: Body) -> None:
+    """Puts the kite where `body` is, moving as it moves."""
+    p, v, e = world(body.p_G_E), world(body.v_G_E), world_quaternion(quaternion(body.R_BE))
+    engine.qpos[0], engine.qpos[1], engine.qpos[2] = p.x, p.y, p.z
+    engine.qpos[3], engine.qpos[4], engine.qpos[5], engine.qpos[6] = e.w, e.x, e.y, e.z
+    engine.qvel[0], engine.qvel[1], engine.qvel[2] = v.x, v.y, v.z
+    engine.qvel[3], engine.qvel[4], engine.qvel[5] = body.omega_B
