@@ -12,4 +12,4 @@ class FlightError(RuntimeError):
 
     def __init__(self, model: str, t: float, reason: str, motions: list[Any]) -> None:
         super().__init__(f"{model} cannot fly on after t = {t:.3f} s: {reason}")
-        self.motions = motions
+        self.reason, self.motions = reason, motions

@@ -7,7 +7,7 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
-from kitemj.dynamics.motion import Body
+from kitemj.dynamics.motion import SKID, Body, skids_B
 from kitemj.model_files import model_file
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.compiled import compiled
@@ -38,7 +38,8 @@ class Engine(NamedTuple):
 
     The engine's own arrays, by reference; then, for each line's constraint
     J q̈ = -damping J q̇ - stiffness (length - target) - R f, its constants, and `softness`,
-    R f of the evaluation before (negative while the line pulls), and room for the stages.
+    R f of the evaluation before (negative while the line pulls), and room for the
+    stages and for what a step began with.
     """
 
     model: int
@@ -46,6 +47,7 @@ class Engine(NamedTuple):
     qpos: Array
     qvel: Array
     qacc: Array
+    qacc_smooth: Array
     qfrc_applied: Array
     eq_active: NDArray[np.uint8]
     eq_data: Array
@@ -57,6 +59,8 @@ class Engine(NamedTuple):
     R: Array
     softness: Array
     stages: Array
+    before: Array
+    softness_before: Array
 
 
 def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
@@ -81,14 +85,9 @@ def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
     )
     spec.site("A_plus").pos = (kite.x_A, kite.y_A, kite.z_A)
     spec.site("A_minus").pos = (kite.x_A, -kite.y_A, kite.z_A)
-    skids = {
-        "skid_plus": (0.0, kite.span / 2, 0.0),
-        "skid_minus": (0.0, -kite.span / 2, 0.0),
-        "skid_nose": (kite.chord / 2, 0.0, 0.0),
-        "skid_tail": (-kite.chord / 2, 0.0, 0.0),
-    }
-    for name, position in skids.items():
+    for name, position in skids_B(kite).items():
         spec.geom(name).pos = position
+        spec.geom(name).size[0] = SKID
     tau = 2 * step
     for equality in spec.equalities:
         equality.solref = (-1 / tau**2, -2 / tau)
@@ -102,6 +101,7 @@ def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
         data.qpos,
         data.qvel,
         data.qacc,
+        data.qacc_smooth,
         data.qfrc_applied,
         data.eq_active.view(np.uint8),
         model.eq_data,
@@ -113,6 +113,8 @@ def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
         data.efc_R[:2].copy(),
         np.zeros(2),
         np.zeros((3, 13)),
+        np.zeros(13),
+        np.zeros(2),
     )
     return model, data, engine
 

@@ -5,7 +5,7 @@ from typing import NamedTuple, Protocol
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles, angles
 from kitemj.physics.loads import Air, air
-from kitemj.physics.parameters import Parameters
+from kitemj.physics.parameters import Kite, Parameters
 from kitemj.physics.steering import Control, Programme
 from kitemj.physics.vectors import Rotation, Vector, cross, plus, times, unrotated
 
@@ -66,6 +66,20 @@ class Model(Protocol):
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], ascending, the first not before the present."""
+
+
+SKID = 0.05
+"""m; radius of the balls on which the kite touches the ground."""
+
+
+def skids_B(kite: Kite) -> dict[str, Vector]:
+    """Where the kite touches the ground, by name: points [m, B] from G."""
+    return {
+        "skid_plus": Vector(0.0, kite.span / 2, 0.0),
+        "skid_minus": Vector(0.0, -kite.span / 2, 0.0),
+        "skid_nose": Vector(kite.chord / 2, 0.0, 0.0),
+        "skid_tail": Vector(-kite.chord / 2, 0.0, 0.0),
+    }
 
 
 @compiled

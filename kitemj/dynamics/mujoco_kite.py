@@ -7,23 +7,21 @@ line targets and aerodynamic wrench written anew at each of the four stages.
 from math import ceil, isfinite, sqrt
 from typing import Any
 
-import numpy as np
-
 from kitemj.dynamics.engine import Array, Engine, body_of, build, place
 from kitemj.dynamics.motion import Motion, Pair, State, air_of, angles_of
-from kitemj.dynamics.slack import catch, release, run_out
+from kitemj.dynamics.slack import TAUT, catch, release, run_out, slack_excess
 from kitemj.dynamics.straight import straight_body
-from kitemj.dynamics.taut import evaluate, settle, tension
+from kitemj.dynamics.taut import evaluate, settle, tensions
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Programme, control, line_motion
 
 MAX_CATCHES = 8
-"""In one step; a line that bounces more often than this is left to the next step."""
+"""In one step; what is left of the step then goes on without looking for more."""
 
-BISECTIONS = 30
-"""Halvings of a step, at most, in search of the moment at which a line runs out."""
+SEARCH = 40
+"""Trials, at most, in search of the moment at which a line runs out."""
 
 
 @compiled
@@ -79,29 +77,61 @@ def rk4(engine: Engine, parameters: Parameters, programme: Programme, t: float, 
 
 
 @compiled
+def _runs_out_after(
+    engine: Engine,
+    parameters: Parameters,
+    programme: Programme,
+    t: float,
+    h: float,
+    line: int,
+    before: Array,
+    softness: Array,
+) -> float:
+    """The part [s] of a step `h` after which slack `line` is just taut; leaves that state.
+
+    Regula falsi, Illinois variant, on the line's excess; each trial is a step from `before`.
+    """
+    early, late = 0.0, h
+    over_late = slack_excess(engine, parameters, programme, t + h, line)
+    _write(engine, before)
+    over_early = slack_excess(engine, parameters, programme, t, line)
+    part, side = 0.0, 0
+    for _ in range(SEARCH):
+        if over_early >= -TAUT:
+            return part
+        part = early + (late - early) * over_early / (over_early - over_late)
+        _write(engine, before)
+        engine.softness[:] = softness
+        rk4(engine, parameters, programme, t, part)
+        over = slack_excess(engine, parameters, programme, t + part, line)
+        if abs(over) <= TAUT:
+            return part
+        if over > 0.0:
+            late, over_late = part, over
+            over_early = 0.5 * over_early if side == 1 else over_early
+            side = 1
+        else:
+            early, over_early = part, over
+            over_late = 0.5 * over_late if side == -1 else over_late
+            side = -1
+    return part
+
+
+@compiled
 def step(engine: Engine, parameters: Parameters, programme: Programme, t: float, h: float) -> None:
     """One step of `h` [s], cut where a slack line runs out."""
-    before, softness = np.empty(13), np.empty(2)
+    before, softness = engine.before, engine.softness_before
     left, now = h, t
-    for _ in range(MAX_CATCHES):
+    for catches in range(MAX_CATCHES + 1):
         _read(engine, before)
         softness[:] = engine.softness
         rk4(engine, parameters, programme, now, left)
         line = run_out(engine, parameters, programme, now + left)
-        if line < 0:
+        if line < 0 or catches == MAX_CATCHES:
             break
-        early, late = 0.0, left
-        for _ in range(BISECTIONS):
-            middle = 0.5 * (early + late)
-            _write(engine, before)
-            engine.softness[:] = softness
-            rk4(engine, parameters, programme, now, middle)
-            if run_out(engine, parameters, programme, now + middle) == line:
-                late = middle
-            else:
-                early = middle
-        catch(engine, parameters, programme, now + middle, line)
-        now, left = now + middle, left - middle
+        part = _runs_out_after(engine, parameters, programme, now, left, line, before, softness)
+        catch(engine, parameters, programme, now + part, line)
+        now, left = now + part, left - part
         if left <= 0.0:
             break
     release(engine)
@@ -130,12 +160,12 @@ def motion_at(engine: Engine, parameters: Parameters, programme: Programme, t: f
     """All that is asked of one instant; leaves the flight as it was."""
     softness = engine.softness.copy()
     settle(engine, parameters, programme, t)
-    tensions = Pair(tension(engine, 0), tension(engine, 1))
     engine.softness[:] = softness
     body, c, y_A = body_of(engine), control(programme, t), parameters.kite.y_A
+    pull = tensions(engine, parameters, body)
     lengths = Pair(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length)
     air = air_of(parameters, body, t)
-    return Motion(t, angles_of(parameters, body), body, c, lengths, tensions, air)
+    return Motion(t, angles_of(parameters, body), body, c, lengths, pull, air)
 
 
 class MujocoKite:
@@ -174,10 +204,13 @@ class MujocoKite:
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], stepped from one to the next."""
-        motions = []
+        motions: list[Motion] = []
         for t in times:
             if t > self.t:
-                self.advance(programme, t - self.t)
+                try:
+                    self.advance(programme, t - self.t)
+                except FlightError as error:
+                    raise FlightError(self.name, t, error.reason, motions) from None
                 self.t = t
             motions.append(self.motion(programme))
         return motions

@@ -15,7 +15,7 @@ next, a ten-thousandth of the change of the line's force.
 from typing import NamedTuple
 
 from kitemj.dynamics.engine import Engine, body_of, forward
-from kitemj.dynamics.motion import Body, attachment_E, attachment_velocity_E
+from kitemj.dynamics.motion import Body, Pair, attachment_E, attachment_velocity_E
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import world
 from kitemj.physics.loads import aerodynamic_wrench
@@ -107,6 +107,43 @@ def settle(engine: Engine, parameters: Parameters, programme: Programme, t: floa
 
 
 @compiled
-def tension(engine: Engine, i: int) -> float:
-    """Tension [N] of line `i` (0: A₊, 1: A₋) at the evaluation before; 0 when slack."""
-    return -engine.softness[i] / engine.R[i] if engine.eq_active[i] else 0.0
+def mobility(parameters: Parameters, a: Line, b: Line) -> float:
+    """J_a M⁻¹ J_bᵀ [1/kg]: what a unit impulse along b does to the rate of a."""
+    return dot(a.u_E, b.u_E) / parameters.kite.mass + dot(a.arm_B, spin_of(parameters, b.arm_B))
+
+
+@compiled
+def spin_of(parameters: Parameters, H_B: Vector) -> Vector:
+    """I⁻¹ H: the rates [rad/s] that an angular momentum [N m s] means."""
+    kite = parameters.kite
+    I_x, I_z, I_xz = kite.inertia_x, kite.inertia_z, kite.inertia_xz
+    D = I_x * I_z - I_xz * I_xz
+    return Vector(
+        (I_z * H_B.x + I_xz * H_B.z) / D, H_B.y / kite.inertia_y, (I_xz * H_B.x + I_x * H_B.z) / D
+    )
+
+
+@compiled
+def tensions(engine: Engine, parameters: Parameters, body: Body) -> Pair:
+    """Tensions [N] at the evaluation before; 0 for a slack line.
+
+    From what the constraints did to the accelerations, J M⁻¹ Jᵀ f = J (q̈ - q̈_smooth), which
+    keeps more digits than R f / R. Off the ground only: contacts accelerate the kite too.
+    """
+    left, right = line_of(parameters, body, 1.0), line_of(parameters, body, -1.0)
+    a, b = mobility(parameters, left, left), mobility(parameters, right, right)
+    c = mobility(parameters, left, right)
+    by_left, by_right = _constrained(engine, left), _constrained(engine, right)
+    if engine.eq_active[0] and engine.eq_active[1]:
+        D = a * b - c * c
+        return Pair((c * by_right - b * by_left) / D, (c * by_left - a * by_right) / D)
+    return Pair(
+        -by_left / a if engine.eq_active[0] else 0.0, -by_right / b if engine.eq_active[1] else 0.0
+    )
+
+
+@compiled
+def _constrained(engine: Engine, line: Line) -> float:
+    """J (q̈ - q̈_smooth) [m/s²] of one line."""
+    d, u_W = engine.qacc - engine.qacc_smooth, world(line.u_E)
+    return dot(u_W, Vector(d[0], d[1], d[2])) + dot(line.arm_B, Vector(d[3], d[4], d[5]))

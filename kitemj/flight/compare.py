@@ -1,0 +1,89 @@
+"""The same scenario through several models: how far apart they fly, and when."""
+
+from dataclasses import dataclass
+from math import asin, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.simulate import Flight
+
+POSITION_TOLERANCE = 1e-6
+"""m; what the project promises of MuJoCo at its default step over a minute of calm flight."""
+ATTITUDE_TOLERANCE = 1e-6
+"""rad; half a kite's span turned by it moves the tips by less than POSITION_TOLERANCE x 3."""
+TENSION_TOLERANCE = 0.01
+"""N; the engine's force is that of its last settled evaluation: 10⁻⁴ of a line's 50 N."""
+
+
+class Gap(NamedTuple):
+    """The largest difference, and when it happens [s]."""
+
+    value: float
+    t: float
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Largest gaps of `model` to `reference`: position [m], attitude [rad], tension [N].
+
+    `until` [s]: the first departure from validity of either, or the end; what comes after
+    is not compared.
+    """
+
+    model: str
+    reference: str
+    until: float
+    position: Gap
+    attitude: Gap
+    tension: Gap
+
+    @property
+    def agrees(self) -> bool:
+        """Whether all three are within their tolerances."""
+        return (
+            self.position.value <= POSITION_TOLERANCE
+            and self.attitude.value <= ATTITUDE_TOLERANCE
+            and self.tension.value <= TENSION_TOLERANCE
+        )
+
+
+def position_gap(a: Motion, b: Motion) -> float:
+    """Distance [m] between the two centres of mass."""
+    return float(np.linalg.norm(np.subtract(a.body.p_G_E, b.body.p_G_E)))
+
+
+def attitude_gap(a: Motion, b: Motion) -> float:
+    """Angle [rad] of the rotation from one attitude to the other."""
+    chord = float(np.linalg.norm(np.subtract(a.body.R_BE, b.body.R_BE)))  # = 2√2 sin(angle/2)
+    return 2 * asin(min(1.0, chord / (2 * sqrt(2))))
+
+
+def tension_gap(a: Motion, b: Motion) -> float:
+    """Larger of the two lines' differences in tension [N]."""
+    return float(np.max(np.abs(np.subtract(a.tensions, b.tensions))))
+
+
+def compare(flight: Flight, reference: Flight) -> Comparison:
+    """Gaps between two flights of one scenario, as long as both are valid."""
+    ends = [f.departure.t for f in (flight, reference) if f.departure]
+    pairs = [
+        (a, b)
+        for a, b in zip(flight.motions, reference.motions, strict=False)
+        if all(a.t < end for end in ends)
+    ]
+
+    def largest(measure: object) -> Gap:
+        values = [measure(a, b) for a, b in pairs]  # type: ignore[operator]
+        i = int(np.argmax(values))
+        return Gap(values[i], pairs[i][0].t)
+
+    return Comparison(
+        flight.model,
+        reference.model,
+        pairs[-1][0].t,
+        largest(position_gap),
+        largest(attitude_gap),
+        largest(tension_gap),
+    )

@@ -1,0 +1,185 @@
+"""A scenario file: a parameter set, a wind, a steering programme, a start, a duration."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import pi
+from pathlib import Path
+from typing import Annotated, Any, NamedTuple
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from kitemj.dynamics.motion import State
+from kitemj.errors import InputError
+from kitemj.flight.equilibrium import equilibrium_state
+from kitemj.physics.checked import checked, in_radians, unknown_key
+from kitemj.physics.frames import Angles
+from kitemj.physics.parameter_files import SECTIONS, parameter_set, read_toml
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.quantity import Quantity
+from kitemj.physics.steering import Programme, Sines, Spline, rest_ell
+
+PROGRAMMES = ("rest", "sine", "table")
+STARTS = ("equilibrium", "state")
+
+
+class Times(NamedTuple):
+    """How long, and how often a row is written."""
+
+    duration: Annotated[float, Quantity("s", "length of the flight", gt=0, le=1e6)]
+    output_interval: Annotated[float, Quantity("s", "time between rows", gt=0)] = 0.1
+
+
+class Offsets(NamedTuple):
+    """q and q̇: added to the equilibrium, or the start outright."""
+
+    phi: Annotated[float, Quantity("rad", "φ")] = 0.0
+    gamma: Annotated[float, Quantity("rad", "γ")] = 0.0
+    eta: Annotated[float, Quantity("rad", "η")] = 0.0
+    theta: Annotated[float, Quantity("rad", "θ")] = 0.0
+    phi_dot: Annotated[float, Quantity("rad/s", "φ̇")] = 0.0
+    gamma_dot: Annotated[float, Quantity("rad/s", "γ̇")] = 0.0
+    eta_dot: Annotated[float, Quantity("rad/s", "η̇")] = 0.0
+    theta_dot: Annotated[float, Quantity("rad/s", "θ̇")] = 0.0
+
+
+class Table(NamedTuple):
+    """Columns of a steering table; a cubic spline goes through the rows."""
+
+    t: Annotated[tuple[float, ...], Quantity("s", "times, ascending, from 0 to the duration")]
+    delta: Annotated[tuple[float, ...], Quantity("rad", "δ at each time")]
+    ell: Annotated[tuple[float, ...] | None, Quantity("m", "ℓ at each time; ℓ₀ if left out")] = None
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """All that a flight needs; `source` is what messages call it."""
+
+    source: str
+    parameters: Parameters
+    programme: Programme
+    start: State
+    times: Times
+
+    @property
+    def output_times(self) -> list[float]:
+        """Times [s] of the rows: every interval from 0, and the end."""
+        count = int(self.times.duration / self.times.output_interval + 1e-9)
+        times = [i * self.times.output_interval for i in range(count + 1)]
+        if self.times.duration - times[-1] > 1e-9 * self.times.duration:
+            times.append(self.times.duration)
+        return times
+
+
+def read_scenario(path: Path) -> Scenario:
+    """The scenario in a TOML file; raises InputError with one sentence for what is wrong."""
+    return scenario_of(read_toml(path), path.name)
+
+
+def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
+    """The scenario of tables as a TOML file has them; `source` names them in messages."""
+    known = ["set", *Times._fields, "aero", *SECTIONS, "steering", "start"]
+    for key in tables:
+        if key not in known:
+            raise unknown_key(key, known, "", source)
+    overrides = {key: tables[key] for key in ("aero", *SECTIONS) if key in tables}
+    parameters = parameter_set(_text(tables, "set", "laksa", source), overrides, source)
+    times = checked(Times, {k: tables[k] for k in Times._fields if k in tables}, "", source)
+    if times.output_interval > times.duration:
+        raise InputError(
+            f"output_interval must be <= duration = {times.duration} s, "
+            f"got {times.output_interval} s ({source})"
+        )
+    programme = _programme(_section(tables, "steering", source), parameters, times, source)
+    start = _start(_section(tables, "start", source), parameters, source)
+    return Scenario(source, parameters, programme, start, times)
+
+
+def _text(tables: Mapping[str, Any], key: str, default: str, source: str) -> str:
+    value = tables.get(key, default)
+    if not isinstance(value, str):
+        raise InputError(f"{key} must be a text, got {value!r} ({source})")
+    return value
+
+
+def _section(tables: Mapping[str, Any], name: str, source: str) -> dict[str, Any]:
+    table = tables.get(name, {})
+    if not isinstance(table, Mapping):
+        raise InputError(f"{name} must be a table of named values, got {table!r} ({source})")
+    return in_radians(table, name, source)
+
+
+def _choice(table: dict[str, Any], key: str, choices: tuple[str, ...], source: str) -> str:
+    """Takes `key` out of the table; its first choice is the default."""
+    value = table.pop(key, choices[0])
+    if value not in choices:
+        raise InputError(f"{key} must be one of {', '.join(choices)}, got {value!r} ({source})")
+    return str(value)
+
+
+def _programme(
+    table: dict[str, Any], parameters: Parameters, times: Times, source: str
+) -> Programme:
+    rest = rest_ell(parameters.lines.length, parameters.kite.y_A)
+    kind = _choice(table, "programme", PROGRAMMES, f"{source}, [steering]")
+    if kind == "table":
+        return _spline(checked(Table, table, "steering", source), rest, parameters, times, source)
+    if kind == "rest" and set(table) - {"ell", "delta"}:
+        odd = next(iter(set(table) - {"ell", "delta"}))
+        raise InputError(
+            f'steering.{odd} means nothing at rest: add programme = "sine" ({source}, [steering])'
+        )
+    sines = checked(Sines, {"ell": rest, **table}, "steering", source)
+    _check_reach(sines.ell - abs(sines.ell_amplitude), parameters, source)
+    _check_tilt(abs(sines.delta) + abs(sines.delta_amplitude), source)
+    return sines
+
+
+def _spline(
+    table: Table, rest: float, parameters: Parameters, times: Times, source: str
+) -> Programme:
+    t = np.array(table.t)
+    ell = np.full(len(t), rest) if table.ell is None else np.array(table.ell)
+    for name, column in (("ell", ell), ("delta", np.array(table.delta))):
+        if len(column) != len(t):
+            raise InputError(
+                f"steering.{name} has {len(column)} values where steering.t has {len(t)}: "
+                f"give one for each time ({source}, [steering])"
+            )
+    if len(t) < 2 or np.any(np.diff(t) <= 0):
+        raise InputError(f"steering.t must hold 2 or more ascending times ({source}, [steering])")
+    if t[0] > 0 or t[-1] < times.duration:
+        raise InputError(
+            f"steering.t must reach from 0 s to the duration {times.duration} s, "
+            f"got {t[0]} s to {t[-1]} s ({source}, [steering])"
+        )
+    _check_reach(float(ell.min()), parameters, source)
+    _check_tilt(float(np.abs(table.delta).max()), source)
+    coefficients = CubicSpline(t, ell).c, CubicSpline(t, np.array(table.delta)).c
+    return Spline(t, np.ascontiguousarray(coefficients[0]), np.ascontiguousarray(coefficients[1]))
+
+
+def _check_reach(ell: float, parameters: Parameters, source: str) -> None:
+    if ell <= parameters.kite.y_A:
+        raise InputError(
+            f"steering.ell must stay > kite.y_A = {parameters.kite.y_A} m, "
+            f"got {ell} m ({source}, [steering])"
+        )
+
+
+def _check_tilt(delta: float, source: str) -> None:
+    if delta >= pi / 2:
+        raise InputError(
+            f"steering.delta must stay below π/2 rad, got {delta} rad ({source}, [steering]); "
+            f"for degrees write delta_deg or delta_amplitude_deg"
+        )
+
+
+def _start(table: dict[str, Any], parameters: Parameters, source: str) -> State:
+    at = _choice(table, "at", STARTS, f"{source}, [start]")
+    given = checked(Offsets, table, "start", source)
+    q, q_dot = Angles(*given[:4]), Angles(*given[4:])
+    if at == "equilibrium":
+        base = equilibrium_state(parameters, source).q
+        q = Angles(*(a + b for a, b in zip(base, q, strict=True)))
+    return State(q, q_dot)
