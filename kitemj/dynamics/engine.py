@@ -1,5 +1,6 @@
 """MuJoCo as the compiled loop sees it: its C functions by name, its arrays by reference."""
 
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import llvmlite.binding as llvm
@@ -20,16 +21,14 @@ Array = NDArray[np.float64]
 
 def _load_library() -> None:
     """Makes the symbols of the very library that mujoco loaded known to compiled code."""
-    from pathlib import Path
-
-    folder = Path(mujoco.__file__).parent
+    folder = Path(str(mujoco.__file__)).parent
     names = ("libmujoco.so*", "libmujoco*.dylib", "mujoco.dll")
     library = next(file for name in names for file in sorted(folder.glob(name)))
     llvm.load_library_permanently(str(library))
 
 
 _load_library()
-forward = types.ExternalFunction("mj_forward", types.void(types.uintp, types.uintp))
+forward: Any = types.ExternalFunction("mj_forward", types.void(types.uintp, types.uintp))
 """The engine's forward dynamics at the present qpos and qvel."""
 
 

@@ -112,7 +112,7 @@ class LagrangeKite:
 
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
-        return motion_at(self.parameters, programme, self.t, self.state)  # type: ignore[no-any-return]
+        return motion_at(self.parameters, programme, self.t, self.state)
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], by DOP853 with error control.

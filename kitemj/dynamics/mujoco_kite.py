@@ -200,7 +200,7 @@ class MujocoKite:
 
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
-        return motion_at(self._engine, self.parameters, programme, self.t)  # type: ignore[no-any-return]
+        return motion_at(self._engine, self.parameters, programme, self.t)
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], stepped from one to the next."""

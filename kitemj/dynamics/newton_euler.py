@@ -19,14 +19,10 @@ steering on 200 m lines and of loops on 20 m lines, the adaptive integrator drif
 3e-13 m between outputs 5 s apart, 3e-11 m if left alone; so it needs no stabilising terms.
 """
 
-from math import ceil, cos, sin, sqrt
+from math import cos, sin, sqrt
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
-
-from kitemj.dynamics.motion import Body, Motion, Pair, State, air_of, angles_of
+from kitemj.dynamics.motion import Body, Pair, State
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import R_1E, R_BE, Quaternion, R_BE_of, quaternion
 from kitemj.physics.loads import aerodynamic_wrench
@@ -43,9 +39,6 @@ from kitemj.physics.vectors import (
     times,
     unrotated,
 )
-
-RTOL = 1e-12  # of each of the 13 numbers, for one adaptive step
-ATOL = 1e-12  # m, 1, m/s, rad/s
 
 
 class Free(NamedTuple):
@@ -276,105 +269,3 @@ def placed(parameters: Parameters, programme: Programme, state: State) -> Free:
         plus(v_O2_E, cross(omega_E, O2G_E)),
         rotated(R_B, omega_E),
     )
-
-
-@compiled
-def flat(y: Free) -> NDArray[np.float64]:
-    """The 13 numbers in a row."""
-    p, e, v, w = y
-    return np.array((p.x, p.y, p.z, e.w, e.x, e.y, e.z, v.x, v.y, v.z, w.x, w.y, w.z))
-
-
-@compiled
-def free(y: NDArray[np.float64]) -> Free:
-    """The inverse of `flat`."""
-    return Free(
-        Vector(y[0], y[1], y[2]),
-        Quaternion(y[3], y[4], y[5], y[6]),
-        Vector(y[7], y[8], y[9]),
-        Vector(y[10], y[11], y[12]),
-    )
-
-
-@compiled
-def flat_rates(
-    t: float, y: NDArray[np.float64], parameters: Parameters, programme: Programme
-) -> NDArray[np.float64]:
-    """dy/dt of the 13 numbers in a row."""
-    return flat(rates(parameters, programme, t, free(y)))
-
-
-@compiled
-def motion_of(parameters: Parameters, programme: Programme, t: float, y: Free) -> Motion:
-    """All that is told of one instant."""
-    body, c = body_of(y), control(programme, t)
-    y_A = parameters.kite.y_A
-    return Motion(
-        t,
-        angles_of(parameters, body),
-        body,
-        c,
-        Pair(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length),
-        accelerations(parameters, programme, t, body).tensions,
-        air_of(parameters, body, t),
-    )
-
-
-class NewtonEulerKite:
-    """A kite that keeps its 13 numbers; the verbs of `kitemj.dynamics.motion.Model`."""
-
-    name = "newton-euler"
-
-    def __init__(self, parameters: Parameters, step: float = 0.002) -> None:
-        """`step` [s]: the longest step of `advance`. Raises ValueError unless positive."""
-        if not step > 0:
-            raise ValueError(f"step must be > 0 s, got {step} s; take 0.002 s")
-        self.parameters, self.step = parameters, step
-        self.t = 0.0
-
-    def start(self, state: State, programme: Programme) -> None:
-        """Puts the kite at `state` [rad, rad/s] at t = 0 s, the lines moving as programmed."""
-        self.t = 0.0
-        self._y = placed(self.parameters, programme, state)
-
-    def advance(self, programme: Programme, duration: float) -> None:
-        """Flies on for `duration` >= 0 [s] in equal steps not longer than `step`."""
-        if not duration >= 0:
-            raise ValueError(f"duration must be >= 0 s, got {duration} s; time only goes on")
-        if duration > 0:
-            n = max(1, ceil(duration / self.step - 1e-9))
-            self._y = flown(self.parameters, programme, self.t, self._y, n, duration / n)
-        self.t += duration
-
-    def motion(self, programme: Programme) -> Motion:
-        """The present instant."""
-        return motion_of(self.parameters, programme, self.t, self._y)
-
-    def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], ascending from the present; the kite stays at it.
-
-        By DOP853 with adaptive steps. Raises ValueError for times out of order and
-        ArithmeticError where the integrator cannot go on.
-        """
-        t, y, told = self.t, self._y, []
-        for time in times:
-            if time < t:
-                raise ValueError(f"times must ascend from {self.t} s, got {time} s after {t} s")
-            y, t = self._carried(programme, t, y, time), time
-            told.append(motion_of(self.parameters, programme, t, y))
-        return told
-
-    def _carried(self, programme: Programme, t: float, y: Free, end: float) -> Free:
-        """`y` taken from time `t` to `end` [s] and put back on the lines."""
-        if end == t:
-            return y
-        given = (self.parameters, programme)
-        # scipy never returns from a right-hand side that starts as not-a-number.
-        if not np.isfinite(flat_rates(t, flat(y), *given)).all():
-            raise ArithmeticError(f"the motion at t = {t} s is not a number; check the start")
-        found = solve_ivp(
-            flat_rates, (t, end), flat(y), method="DOP853", rtol=RTOL, atol=ATOL, args=given
-        )
-        if not found.success:
-            raise ArithmeticError(f"the flight ends at t = {found.t[-1]} s: {found.message}")
-        return corrected(*given, end, free(found.y[:, -1]))

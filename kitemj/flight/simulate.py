@@ -14,6 +14,8 @@ from kitemj.physics.parameters import Parameters
 MODELS = ("mujoco", "lagrange", "newton-euler")
 DEFAULT_STEP = 0.002
 """s; holds the MuJoCo kite within 1 µm of the reference over a minute."""
+MAX_STEP = 0.1
+"""s; the fastest motion of a kite of this size would not be resolved beyond."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +31,12 @@ class Flight:
 
 
 def make_model(name: str, parameters: Parameters, step: float = DEFAULT_STEP) -> Model:
-    """The model called `name` with steps of `step` [s]; raises InputError for an unknown one."""
+    """The model called `name` with steps of `step` [s].
+
+    Raises InputError for an unknown model or a step that is not positive.
+    """
+    if not 0 < step <= MAX_STEP:
+        raise InputError(f"--step must be > 0 s and <= {MAX_STEP} s, got {step} s")
     if name == "mujoco":
         from kitemj.dynamics.mujoco_kite import MujocoKite
 
@@ -39,7 +46,7 @@ def make_model(name: str, parameters: Parameters, step: float = DEFAULT_STEP) ->
 
         return LagrangeKite(parameters, step)
     if name == "newton-euler":
-        from kitemj.dynamics.newton_euler import NewtonEulerKite
+        from kitemj.dynamics.newton_euler_kite import NewtonEulerKite
 
         return NewtonEulerKite(parameters, step)
     raise InputError(f"there is no model {name!r}; there are: {', '.join(MODELS)}")

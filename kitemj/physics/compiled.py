@@ -36,12 +36,13 @@ def cache_folder() -> Path:
 
 def compiled(function: F) -> F:
     """Machine code for `function`, kept on disk, free of the interpreter's lock."""
-    elsewhere = numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(cache_folder())
+    settings: Any = numba.config
+    elsewhere, settings.CACHE_DIR = settings.CACHE_DIR, str(cache_folder())
     try:
-        return njit(cache=True, nogil=True, error_model="numpy")(function)  # type: ignore[no-any-return]
+        machine_code: Any = njit(cache=True, nogil=True, error_model="numpy")(function)
     finally:
-        numba.config.CACHE_DIR = elsewhere
+        settings.CACHE_DIR = elsewhere
+    return machine_code  # type: ignore[no-any-return]
 
 
 class Law:

@@ -67,7 +67,7 @@ def parameter_set(
         section: {**base[section], **_table(changes.get(section, {}), section, source)}
         for section in SECTIONS
     }
-    parts = {
+    parts: dict[str, Any] = {
         section: checked(kind, tables[section], section, source)
         for section, kind in SECTIONS.items()
     }

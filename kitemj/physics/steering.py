@@ -95,7 +95,7 @@ def sines_control(programme: Sines, t: float) -> Control:
 def spline_control(programme: Spline, t: float) -> Control:
     """The cubic piece that holds `t`; the first and last pieces go on outside."""
     times, l, d = programme.times, programme.ell, programme.delta  # noqa: E741
-    i = min(max(np.searchsorted(times, t, side="right") - 1, 0), len(times) - 2)
+    i = min(max(int(np.searchsorted(times, t, side="right")) - 1, 0), len(times) - 2)
     s = t - times[i]
     return Control(
         ((l[0, i] * s + l[1, i]) * s + l[2, i]) * s + l[3, i],

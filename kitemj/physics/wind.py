@@ -3,7 +3,7 @@
 Source: Sánchez-Arriaga et al., Applied Mathematical Modelling 47 (2017), section 2.3.
 """
 
-from math import cos, sin
+from math import cos, pow, sin
 from typing import Annotated, NamedTuple
 
 from kitemj.physics.compiled import compiled
@@ -25,7 +25,7 @@ class Wind(NamedTuple):
 @compiled
 def wind_speed(wind: Wind, height: float, t: float) -> float:
     """Speed [m/s] at `height` [m] above ground (below it: as on it) and time `t` [s]."""
-    shear = (max(height, 0.0) / wind.reference_height) ** wind.exponent
+    shear = pow(max(height, 0.0) / wind.reference_height, wind.exponent)
     return wind.speed * shear * (1 + wind.gust_amplitude * sin(wind.gust_frequency * t))
 
 

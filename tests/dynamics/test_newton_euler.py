@@ -9,6 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from kitemj.dynamics import newton_euler as ne
+from kitemj.dynamics import newton_euler_kite as nek
 from kitemj.dynamics.motion import (
     Body,
     Motion,
@@ -18,7 +19,9 @@ from kitemj.dynamics.motion import (
     attachment_velocity_E,
     energy,
 )
-from kitemj.dynamics.newton_euler import NewtonEulerKite, accelerations, placed
+from kitemj.dynamics.newton_euler import accelerations, placed
+from kitemj.dynamics.newton_euler_kite import NewtonEulerKite
+from kitemj.errors import FlightError
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameter_files import parameter_set
@@ -247,7 +250,7 @@ def test_adaptive_flight_follows_laksa():
     motions = kite.trajectory(STEERING, [row.t for row in LAKSA_ROWS])
     for motion, row in zip(motions, LAKSA_ROWS, strict=True):
         assert_like_laksa(motion, row, 1e-11)  # m; measured: 2.6e-12 with outputs 20 s apart
-    assert kite.t == 0.0
+    assert kite.t == LAKSA_ROWS[-1].t
 
 
 def test_stepped_flight_follows_laksa():
@@ -288,21 +291,21 @@ def test_correction_is_never_more_than_the_integrator_s_own_error():
     """
     y = placed(SMALL, LOOPS, ALOFT)
     found = solve_ivp(
-        ne.flat_rates,
+        nek.flat_rates,
         (0.0, 10.0),
-        ne.flat(y),
+        nek.flat(y),
         method="DOP853",
-        rtol=ne.RTOL,
-        atol=ne.ATOL,
+        rtol=nek.RTOL,
+        atol=nek.ATOL,
         args=(SMALL, LOOPS),
     )
-    loose = ne.free(found.y[:, -1])
+    loose = nek.free(found.y[:, -1])
     held = ne.corrected(SMALL, LOOPS, 10.0, loose)
     again = ne.corrected(SMALL, LOOPS, 10.0, held)
     drift = line_errors(SMALL, LOOPS, 10.0, ne.body_of(loose))
     assert 0 < drift.plus < 1e-10
-    assert ne.flat(held) == pytest.approx(ne.flat(loose), abs=1e-10)
-    assert ne.flat(again) == pytest.approx(ne.flat(held), abs=1e-13)
+    assert nek.flat(held) == pytest.approx(nek.flat(loose), abs=1e-10)
+    assert nek.flat(again) == pytest.approx(nek.flat(held), abs=1e-13)
 
 
 def test_correction_puts_a_displaced_kite_back_without_turning_momentum():
@@ -324,7 +327,6 @@ def test_advance_in_pieces_is_advance_at_once():
     whole.advance(LOOPS, 1.0)
     for _ in range(50):
         pieces.advance(LOOPS, 0.02)
-    pieces.advance(LOOPS, 0.0)
     assert pieces.t == pytest.approx(1.0)
     assert pieces.motion(LOOPS).body.p_G_E == pytest.approx(tuple(whole.motion(LOOPS).body.p_G_E))
 
@@ -354,14 +356,8 @@ def test_motion_tells_lengths_control_and_angles():
     assert again.p_G_E == pytest.approx(tuple(motion.body.p_G_E), abs=1e-10)
 
 
-def test_bad_requests_are_refused_in_one_line():
-    with pytest.raises(ValueError, match=r"step must be > 0 s, got 0\.0 s"):
-        NewtonEulerKite(SMALL, 0.0)
-    kite = flight(SMALL, ALOFT, LOOPS, 0.002)
-    with pytest.raises(ValueError, match=r"duration must be >= 0 s, got -1\.0 s"):
-        kite.advance(LOOPS, -1.0)
-    with pytest.raises(ValueError, match=r"times must ascend .* got 0\.5 s after 1\.0 s"):
-        kite.trajectory(LOOPS, [1.0, 0.5])
+def test_a_start_that_is_no_number_ends_in_a_sentence():
     lost = State(Angles(nan, 0.0, 0.0, 0.0), REST)
-    with pytest.raises(ArithmeticError, match="not a number"):
-        flight(SMALL, lost, LOOPS, 0.002).trajectory(LOOPS, [1.0])
+    kite = flight(SMALL, lost, LOOPS, 0.002)
+    with pytest.raises(FlightError, match="newton-euler cannot fly on after t = 0.000 s"):
+        kite.trajectory(LOOPS, [0.0, 1.0])

@@ -1,0 +1,34 @@
+# `make fly` and `make test` make their own environment, .venv, the first time.
+# Another Python than the one found: make PYTHON=/usr/bin/python3.12 fly
+
+BIN := .venv/bin
+
+.PHONY: help fly test lock wheel clean
+
+help: ## what make can do here
+	@sed -n 's/^\([a-z]*\):.*## /  make \1  /p' Makefile
+
+fly: .venv/ready ## fly; options of the program: make fly ARGS="--help"
+	@$(BIN)/kitemj fly $(ARGS)
+
+test: .venv/ready ## style, types and tests
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/pytest -q
+
+lock: .venv/ready ## renew requirements.lock: the newest versions that pyproject.toml allows
+	$(BIN)/uv pip compile --quiet --upgrade --universal --fork-strategy fewest --group dev \
+		--no-emit-index-url --custom-compile-command "make lock" \
+		--output-file requirements.lock pyproject.toml
+
+wheel: .venv/ready ## dist/kitemj-*.whl
+	$(BIN)/python -m hatchling build --target wheel
+
+clean: ## remove .venv and dist
+	rm -rf .venv dist
+
+# Made anew when one of these files is newer than the last time.
+.venv/ready: requirements.lock pyproject.toml scripts/setup.sh
+	@sh scripts/setup.sh
+	@touch $@
