@@ -65,7 +65,7 @@ class Model(Protocol):
         """The present instant."""
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], ascending, from the present on; the model is then there."""
+        """The motion at each of `times` [s], ascending, not before now; the last becomes now."""
 
 
 SKID = 0.05

@@ -10,7 +10,23 @@ from pathlib import Path
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 
-COLUMNS = ["t_s", "phi_rad", "gamma_rad", "eta_rad", "theta_rad", "x_E_m", "y_E_m", "z_E_m", "alpha_deg", "beta_deg", "tension_plus_N", "tension_minus_N", "length_plus_m", "length_minus_m"]
+COLUMNS = (
+    "t_s",
+    "phi_rad",
+    "gamma_rad",
+    "eta_rad",
+    "theta_rad",
+    "x_E_m",
+    "y_E_m",
+    "z_E_m",
+    "alpha_deg",
+    "beta_deg",
+    "tension_plus_N",
+    "tension_minus_N",
+    "length_plus_m",
+    "length_minus_m",
+)
+"""Of a table of motions; angles of the state in rad, α and β in degrees, axes E."""
 
 
 def check_new(path: Path, overwrite: bool) -> None:
