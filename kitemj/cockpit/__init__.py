@@ -1,0 +1,1 @@
+"""People and pixels: sticks, pacing, pictures, film."""

@@ -1,5 +1,6 @@
 """The same scenario through several models: how far apart they fly, and when."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import asin, sqrt
 from typing import NamedTuple
@@ -7,7 +8,9 @@ from typing import NamedTuple
 import numpy as np
 
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.simulate import Flight
+from kitemj.errors import InputError
+from kitemj.flight.scenario import Scenario
+from kitemj.flight.simulate import Flight, simulate
 
 POSITION_TOLERANCE = 1e-6
 """m; what the project promises of MuJoCo at its default step over a minute of calm flight."""
@@ -28,13 +31,16 @@ class Gap(NamedTuple):
 class Comparison:
     """Largest gaps of `model` to `reference`: position [m], attitude [rad], tension [N].
 
-    `until` [s]: the first departure from validity of either, or the end; what comes after
-    is not compared.
+    `until` [s]: where a line of either goes slack or a kite touches the ground, or the end:
+    what comes after is not compared, because rigid lines and real ones part there. `valid`
+    [s]: the first departure from any limit of validity, up to which agreement is claimed.
     """
 
+    scenario: str
     model: str
     reference: str
     until: float
+    valid: float
     position: Gap
     attitude: Gap
     tension: Gap
@@ -66,24 +72,41 @@ def tension_gap(a: Motion, b: Motion) -> float:
 
 
 def compare(flight: Flight, reference: Flight) -> Comparison:
-    """Gaps between two flights of one scenario, as long as both are valid."""
-    ends = [f.departure.t for f in (flight, reference) if f.departure]
-    pairs = [
-        (a, b)
-        for a, b in zip(flight.motions, reference.motions, strict=False)
-        if all(a.t < end for end in ends)
-    ]
+    """Gaps between two flights of one scenario, row by row.
 
-    def largest(measure: object) -> Gap:
-        values = [measure(a, b) for a, b in pairs]  # type: ignore[operator]
+    Raises InputError where a line is slack at once, so that nothing can be compared.
+    """
+    pairs = []
+    for a, b in zip(flight.motions, reference.motions, strict=False):
+        if min(*a.tensions, *b.tensions) <= 0.0:
+            break
+        pairs.append((a, b))
+    if not pairs:
+        raise InputError(
+            f"in {flight.scenario.source} a line is slack at the start, so that there is nothing "
+            f"to compare; start the lines more gently"
+        )
+    end = pairs[-1][0].t
+    departures = [f.departure.t for f in (flight, reference) if f.departure]
+
+    def largest(measure: Callable[[Motion, Motion], float]) -> Gap:
+        values = [measure(a, b) for a, b in pairs]
         i = int(np.argmax(values))
         return Gap(values[i], pairs[i][0].t)
 
     return Comparison(
+        flight.scenario.source,
         flight.model,
         reference.model,
-        pairs[-1][0].t,
+        end,
+        min([end, *departures]),
         largest(position_gap),
         largest(attitude_gap),
         largest(tension_gap),
     )
+
+
+def compare_models(scenario: Scenario, models: list[str], step: float) -> list[Comparison]:
+    """Each of `models` against the last of them, which is the reference."""
+    flights = [simulate(scenario, model, step) for model in models]
+    return [compare(flight, flights[-1]) for flight in flights[:-1]]

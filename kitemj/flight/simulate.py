@@ -11,7 +11,7 @@ from kitemj.flight.validity import Departure, Ending, first_departure, touches_g
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 
-MODELS = ("mujoco", "lagrange", "newton-euler")
+MODELS = ("mujoco", "newton-euler", "lagrange")
 DEFAULT_STEP = 0.002
 """s; holds the MuJoCo kite within 1 µm of the reference over a minute."""
 MAX_STEP = 0.1

@@ -1,0 +1,91 @@
+"""`kitemj fly`: a stick, a real-time flight, a picture of it."""
+
+import time
+from dataclasses import dataclass
+
+import pygame
+
+from kitemj.cockpit.pacing import Pacer, Timekeeping
+from kitemj.cockpit.picture import Picture, Readings
+from kitemj.cockpit.screens import FRAME_RATE, Screen
+from kitemj.flight.live import TICK, LiveFlight
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What is told after a flight; `first_frame` [s] counts from the call."""
+
+    flown: float
+    times: Timekeeping
+    frames: int
+    wall: float
+    first_frame: float
+
+    def __str__(self) -> str:
+        """A few lines for people."""
+        times = self.times
+        gap = times.largest_gap
+        text = (
+            f"flown        {self.flown:.2f} s in {self.wall:.2f} s of wall time\n"
+            f"ticks        {times.ticks} of {TICK * 1e3:g} ms, {times.missed} missed, "
+            f"worst lateness {times.worst * 1e3:.1f} ms\n"
+            f"frames       {self.frames}, {self.frames / max(self.wall, 1e-9):.1f} a second, "
+            f"the first after {self.first_frame:.1f} s\n"
+            f"largest gap  {gap * 1e6:.3g} µm between the kite and its reference"
+        )
+        if times.lost:
+            text += f"\nlost         {times.lost:.2f} s that the machine did not run"
+        return text
+
+
+def fly(
+    flight: LiveFlight, picture: Picture, screen: Screen, duration: float | None = None
+) -> Summary:
+    """Flies until the screen is left, Ctrl-C, or `duration` [s] of flight have passed.
+
+    Raises what ended the physics thread, if anything did, once the screen is closed.
+    """
+    called = time.perf_counter()
+    flight.warm_up()
+    pacer = Pacer(flight)
+    frames, first, clock = 0, 0.0, pygame.time.Clock()
+    picture.paint(pacer.moment.motion, None, Readings(), screen.view)
+    pacer.start()
+    begun = time.perf_counter()
+    try:
+        while pacer.is_alive() and not screen.leaving:
+            wall = time.perf_counter() - begun
+            if duration is not None and wall >= duration:
+                break
+            screen.poll()
+            pacer.command = screen.stick.command(pacer.moment.motion.t)
+            if screen.restarting:
+                pacer.restart()
+            _paint(pacer, picture, screen, wall)
+            frames += 1
+            first = first or time.perf_counter() - called
+            clock.tick(FRAME_RATE)
+    except KeyboardInterrupt:
+        pass  # leaving in a hurry is leaving: the film and the summary are complete
+    finally:
+        pacer.stop()
+        screen.close()
+    if pacer.error:
+        raise pacer.error
+    wall = time.perf_counter() - begun
+    return Summary(pacer.times.ticks * TICK, pacer.times, frames, wall, first)
+
+
+def _paint(pacer: Pacer, picture: Picture, screen: Screen, wall: float) -> None:
+    moment, times = pacer.moment, pacer.times
+    readings = Readings(
+        model=pacer.flight.kite.name,
+        gap=moment.gap,
+        delta_command=moment.wish,
+        missed_ticks=times.missed,
+        lateness=times.lateness,
+        stick=screen.stick.name,
+        speed=times.ticks * TICK / wall if wall > 1.0 else 1.0,
+        message=screen.message or (str(moment.departure.ending.value) if moment.departure else ""),
+    )
+    screen.show(picture.paint(moment.motion, moment.reference, readings, screen.view), wall)

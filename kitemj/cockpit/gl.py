@@ -1,0 +1,172 @@
+"""An OpenGL context that is known to work, or one sentence that says how to get one.
+
+A broken driver may abort the whole process, so each candidate is tried in a process of its
+own first. A good answer is kept on disk, keyed by whatever could change it; a bad one is
+never kept, so that installing the missing library is all that is needed.
+"""
+
+import hashlib
+import json
+import os
+import platform
+import subprocess
+import sys
+from importlib import import_module
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from platformdirs import user_cache_path
+
+PROBE = """
+from importlib import import_module
+import sys
+context = import_module(sys.argv[1]).GLContext(16, 16)
+context.make_current()
+from OpenGL import GL
+print("renderer:", GL.glGetString(GL.GL_RENDERER).decode())
+context.free()
+"""
+PROBE_TIMEOUT = 20.0  # s, a cold start from a slow disk
+SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "gdi generic")
+OFF = ("disable", "disabled", "off", "false", "0")
+ALIASES = {"glx": "glfw", "wgl": "glfw", "": "", "enable": "", "on": "", "true": "", "1": ""}
+
+
+class NoGraphics(RuntimeError):  # noqa: N818  says what is the matter
+    """There is no OpenGL to draw with; the message says how to mend that."""
+
+
+class Graphics(NamedTuple):
+    """A context of OpenGL, not yet current, and what draws in it."""
+
+    context: Any
+    renderer: str
+
+    @property
+    def software(self) -> bool:
+        """Whether the processor draws, so that every pixel's cost counts."""
+        return any(name in self.renderer.lower() for name in SOFTWARE)
+
+
+def open_graphics(width: int, height: int) -> Graphics:
+    """The first context that works, of this size in pixels; NoGraphics when none does."""
+    failures = []
+    for backend in candidates(os.environ.get("MUJOCO_GL", ""), platform.system()):
+        renderer = _renderer(backend)
+        if renderer is not None:
+            try:
+                context = import_module(f"mujoco.{backend}").GLContext(width, height)
+            except Exception:  # PyOpenGL raises what it likes; the kept answer was wrong
+                _cache_file().unlink(missing_ok=True)
+            else:
+                return Graphics(context, renderer)
+        failures.append(backend)
+    raise NoGraphics(_advice(failures))
+
+
+def candidates(asked: str, system: str) -> list[str]:
+    """Names of the modules of mujoco to try, for the value of MUJOCO_GL and the system."""
+    asked = asked.lower().strip()
+    if asked in OFF:
+        raise NoGraphics(
+            f"drawing is switched off by MUJOCO_GL={asked}; run again with: env -u MUJOCO_GL"
+        )
+    chosen = ALIASES.get(asked, asked)
+    known = {"Linux": ["egl", "osmesa", "glfw"], "Darwin": ["cgl", "glfw"]}.get(system, ["glfw"])
+    if chosen and chosen not in known:
+        raise NoGraphics(
+            f"MUJOCO_GL={asked} is not known on {system}; "
+            f"use one of: {', '.join(known)}, or unset it"
+        )
+    return [chosen] if chosen else known[: 2 if system == "Linux" else 1]
+
+
+def _renderer(backend: str) -> str | None:
+    """Name of what draws (GL_RENDERER), or None where this backend does not work."""
+    cache = _cache_file()
+    key = _key(backend)
+    try:
+        known = json.loads(cache.read_text())
+    except (OSError, ValueError):
+        known = {}
+    if isinstance(known, dict) and isinstance(known.get(key), str):
+        return str(known[key])
+    renderer = _probe(backend)
+    if renderer is not None:
+        try:
+            cache.parent.mkdir(parents=True, exist_ok=True)
+            cache.write_text(json.dumps({key: renderer}))
+        except OSError:
+            pass  # a home that cannot be written only costs the probe every time
+    return renderer
+
+
+def _cache_file() -> Path:
+    return user_cache_path("kitemj") / "graphics.json"
+
+
+def _probe(backend: str) -> str | None:
+    environment = {name: v for name, v in os.environ.items() if name != "MUJOCO_GL"}
+    try:
+        done = subprocess.run(
+            [sys.executable, "-c", PROBE, f"mujoco.{backend}"],
+            capture_output=True,
+            text=True,
+            timeout=PROBE_TIMEOUT,
+            env=environment,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return None
+    lines = [line for line in done.stdout.splitlines() if line.startswith("renderer: ")]
+    return lines[0].removeprefix("renderer: ") if done.returncode == 0 and lines else None
+
+
+def _key(backend: str) -> str:
+    """Changes when a library is installed or removed, a graphics card or a display changes."""
+    variables = ("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_EGL_DEVICE_ID", "PYOPENGL_PLATFORM")
+    drivers = (
+        "LIBGL_ALWAYS_SOFTWARE",
+        "LIBGL_DRIVERS_PATH",
+        "GALLIUM_DRIVER",
+        "MESA_LOADER_DRIVER_OVERRIDE",
+        "__EGL_VENDOR_LIBRARY_FILENAMES",
+        "LD_LIBRARY_PATH",
+        "LD_PRELOAD",
+    )
+    places = ("/etc/ld.so.cache", "/dev/dri", "/usr/share/glvnd/egl_vendor.d", sys.executable)
+    stamps = []
+    for place in places:
+        try:
+            stamps.append(Path(place).stat().st_mtime_ns)
+        except OSError:
+            stamps.append(0)
+    facts = [backend, platform.node(), platform.release(), sys.prefix, *stamps]
+    facts += [os.environ.get(name) for name in (*variables, *drivers)]
+    return hashlib.sha256(repr(facts).encode()).hexdigest()[:16]
+
+
+def _advice(failures: list[str]) -> str:
+    tried = " and ".join(failures)
+    asked = os.environ.get("MUJOCO_GL", "")
+    because = f"MUJOCO_GL={asked} does not work" if asked else f"OpenGL ({tried}) does not work"
+    return f"cannot draw: {because} on this machine; {_remedy(failures)}"
+
+
+def _remedy(failures: list[str]) -> str:
+    """The one command that mends it, for this system."""
+    if platform.system() != "Linux":
+        return "install the graphics driver of this computer, or fly without a picture"
+    if failures == ["glfw"]:
+        return "it needs a display: run with env -u MUJOCO_GL to draw without one"
+    try:
+        release = platform.freedesktop_os_release()
+    except OSError:
+        release = {}
+    family = f"{release.get('ID', '')} {release.get('ID_LIKE', '')}".split()
+    mesa = failures == ["osmesa"]
+    if {"debian", "ubuntu"} & set(family):
+        return f"run: apt-get install -y {'libosmesa6' if mesa else 'libegl1 libgl1'}"
+    if {"fedora", "rhel"} & set(family):
+        return f"run: dnf install {'mesa-libOSMesa' if mesa else 'mesa-libEGL mesa-libGL'}"
+    return "install Mesa's EGL and GL libraries (libEGL.so.1 and libGL.so.1)"

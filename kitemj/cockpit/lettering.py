@@ -1,0 +1,46 @@
+"""Text on a pygame surface: sizes in pixels of digit height, every rendered string kept a while."""
+
+import os
+from functools import lru_cache
+from pathlib import Path
+
+os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+import pygame
+
+Colour = tuple[int, int, int]
+DIGIT = 0.73  # height of a digit in font sizes, of the font that pygame brings
+KEPT = 1024  # strings; a flight shows a few dozen at a time
+
+
+def put(
+    surface: pygame.Surface,
+    text: str,
+    x: float,
+    y: float,
+    height: float,
+    colour: Colour = (255, 255, 255),
+    align: float = 0.0,
+) -> None:
+    """Writes `text` with digits `height` px high, their middle at row `y`.
+
+    `align` is the part of the text's width that lies left of `x`: 0 starts there, 1 ends.
+    """
+    image = _rendered(text, round(height / DIGIT), colour)
+    surface.blit(image, (round(x - align * image.get_width()), round(y - image.get_height() / 2)))
+
+
+def width(text: str, height: float) -> int:
+    """Width [px] that `text` takes."""
+    return int(_font(round(height / DIGIT)).size(text)[0])
+
+
+@lru_cache(KEPT)
+def _rendered(text: str, size: int, colour: Colour) -> pygame.Surface:
+    return _font(size).render(text, True, colour)
+
+
+@lru_cache(32)
+def _font(size: int) -> pygame.font.Font:
+    pygame.font.init()
+    file = Path(pygame.font.__file__).parent / pygame.font.get_default_font()
+    return pygame.font.Font(file, size)

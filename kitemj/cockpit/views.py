@@ -1,0 +1,108 @@
+"""Where the camera stands and how a point becomes a pixel. All in frame E, no state.
+
+A view is a function of the parameters and one motion: the same motion gives the same
+picture, live or from a recording, and a smooth motion a smooth picture.
+"""
+
+from collections.abc import Callable
+from math import cos, hypot, radians, sin, tan
+from typing import NamedTuple
+
+from kitemj.dynamics.motion import Motion
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times
+
+UP = Vector(0.0, 0.0, -1.0)
+FIELD = radians(58.0)  # vertical angle of view
+NEAR = 0.25  # m, closer is not drawn
+
+
+class Camera(NamedTuple):
+    """Position [m, E]; unit vectors forward and up [E]; vertical angle of view [rad]."""
+
+    position: Vector
+    forward: Vector
+    up: Vector
+    field: float
+
+
+class Pixel(NamedTuple):
+    """Column and row (pixel centres are whole numbers, row 0 on top) and depth [m] ahead."""
+
+    column: float
+    row: float
+    depth: float
+
+
+def pixel(camera: Camera, p_E: Vector, width: int, height: int) -> Pixel:
+    """Where the point `p_E` [m, E] appears; without meaning unless depth > 0."""
+    sight = minus(p_E, camera.position)
+    depth = dot(sight, camera.forward)
+    right = cross(camera.forward, camera.up)
+    focal = height / 2 / tan(camera.field / 2) / (depth if depth != 0.0 else 1e-12)
+    return Pixel(
+        width / 2 - 0.5 + focal * dot(sight, right),
+        height / 2 - 0.5 - focal * dot(sight, camera.up),
+        depth,
+    )
+
+
+def looking(position: Vector, target: Vector) -> Camera:
+    """Camera at `position` [m, E] that looks at `target`, upright; not straight up or down."""
+    forward = _unit(minus(target, position))
+    right = _unit(cross(forward, UP))
+    return Camera(position, forward, cross(right, forward), FIELD)
+
+
+def chase(parameters: Parameters, motion: Motion) -> Camera:
+    """A few spans from the kite on the pilot's side and above, looking downwind and down.
+
+    It turns with the kite's place in the wind window and never with its attitude.
+    """
+    span, G = parameters.kite.span, motion.body.p_G_E
+    wind = downwind(parameters)
+    # the bias keeps the direction defined and steady when the kite stands above the pilot
+    heading = _level(plus(G, times(parameters.lines.length, wind)), wind)
+    kite = Vector(G.x, G.y, min(G.z, 0.0))
+    eye = plus(kite, plus(times(-2.1 * span, heading), times(1.1 * span, UP)))
+    return looking(eye, plus(kite, times(0.25 * span, UP)))
+
+
+def pilot(parameters: Parameters, motion: Motion) -> Camera:
+    """From behind the pilot, downwind: pilot, lines, kite and the whole wind window."""
+    del motion
+    L, wind = parameters.lines.length, downwind(parameters)
+    position = plus(times(-1.35 * L, wind), times(0.3 * L, UP))
+    return looking(position, plus(times(0.2 * L, wind), times(0.395 * L, UP)))
+
+
+def side(parameters: Parameters, motion: Motion) -> Camera:
+    """From the pilot's right: the wind blows from left to right."""
+    del motion
+    L, wind = parameters.lines.length, downwind(parameters)
+    right = cross(wind, UP)
+    target = plus(times(0.4 * L, wind), times(0.36 * L, UP))
+    return looking(plus(target, times(1.2 * L, right)), target)
+
+
+CAMERAS: dict[str, Callable[[Parameters, Motion], Camera]] = {
+    "chase": chase,
+    "pilot": pilot,
+    "side": side,
+}
+
+
+def downwind(parameters: Parameters) -> Vector:
+    """Unit vector [E] that the wind blows along."""
+    azimuth = parameters.wind.azimuth
+    return Vector(-cos(azimuth), -sin(azimuth), 0.0)
+
+
+def _level(v_E: Vector, otherwise: Vector) -> Vector:
+    """The horizontal direction of `v_E`, or `otherwise` where it has none."""
+    size = hypot(v_E.x, v_E.y)
+    return Vector(v_E.x / size, v_E.y / size, 0.0) if size > 1e-9 else otherwise
+
+
+def _unit(v: Vector) -> Vector:
+    return times(1.0 / norm(v), v)

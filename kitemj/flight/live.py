@@ -1,0 +1,111 @@
+"""A flight that is steered while it happens: the kite, and the reference that follows it.
+
+One tick is the grain of it: the stick is read, its wish is shaped into a motion of the
+lines with constant δ̈ and ℓ̈, and both models fly through the same tick. Nothing here knows
+of clocks or screens.
+"""
+
+from math import isfinite
+from typing import NamedTuple
+
+from kitemj.dynamics.motion import Motion
+from kitemj.errors import FlightError
+from kitemj.flight.compare import position_gap
+from kitemj.flight.scenario import Scenario
+from kitemj.flight.simulate import DEFAULT_STEP, make_model
+from kitemj.flight.validity import Departure, Ending, departure_at, touches_ground
+from kitemj.physics.shaping import shaped
+from kitemj.physics.steering import Control, Programme, Segment, control, rest_ell
+
+TICK = 0.01
+"""s; a person's hand moves at 5 Hz or less, and an hour of ticks is 360,000 rows."""
+
+
+class Command(NamedTuple):
+    """What the stick asks for, parts of the limits in -1..1: δ (right is positive) and ℓ."""
+
+    delta: float = 0.0
+    ell: float = 0.0
+
+
+class Moment(NamedTuple):
+    """What is known at the end of a tick; `reference` is None once it left its validity.
+
+    `wish` [rad] is the δ that the stick asks for, `gap` [m] the distance to the reference.
+    """
+
+    motion: Motion
+    reference: Motion | None
+    wish: float
+    gap: float | None
+    departure: Departure | None
+
+
+class LiveFlight:
+    """The model `model` beside the model `reference`, both started as `scenario` says."""
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        model: str = "mujoco",
+        reference: str = "lagrange",
+        step: float = DEFAULT_STEP,
+    ) -> None:
+        parameters = scenario.parameters
+        self.scenario, self.parameters = scenario, parameters
+        self.kite = make_model(model, parameters, step)
+        self.ghost = make_model(reference, parameters, step)
+        self.ell_rest = rest_ell(parameters.lines.length, parameters.kite.y_A)
+        self.restart()
+
+    def restart(self) -> Moment:
+        """Back to the scenario's start, lines still; the first moment of the flight."""
+        at_start = control(self.scenario.programme, 0.0)
+        still = Control(at_start.ell, 0.0, 0.0, at_start.delta, 0.0, 0.0)
+        self.ticks = 0
+        self.segment = Segment(0.0, still)
+        self._following = True
+        self.kite.start(self.scenario.start, self.segment)
+        self.ghost.start(self.scenario.start, self.segment)
+        return self._moment(still.delta)
+
+    def tick(self, command: Command) -> Moment:
+        """Flies one tick with the stick at `command`; raises FlightError where that diverges."""
+        limits, start = self.parameters.stick, self.ticks * TICK
+        wish = command.delta * limits.delta
+        reach = self.ell_rest + command.ell * limits.ell
+        now = control(self.segment, start)
+        self.segment = shaped(limits, now, start, TICK, wish, reach, self.ell_rest)
+        self.fly(self.segment)
+        return self._moment(wish)
+
+    def fly(self, programme: Programme) -> None:
+        """Both models through one tick of `programme`."""
+        self.ticks += 1
+        self.kite.advance(programme, TICK)
+        self.kite.t = self.ticks * TICK
+        if self._following:
+            try:
+                self.ghost.advance(programme, TICK)
+                self.ghost.t = self.ticks * TICK
+            except FlightError:
+                self._following = False
+
+    def warm_up(self) -> None:
+        """Compiles whatever a flight needs, then starts anew: no first tick may be late."""
+        for _ in range(3):
+            self.tick(Command(1.0))
+        self.restart()
+
+    def _moment(self, wish: float) -> Moment:
+        motion = self.kite.motion(self.segment)
+        departure = departure_at(self.parameters, motion)
+        if touches_ground(self.parameters, motion):
+            departure = Departure(motion.t, Ending.GROUND, f"{motion.air.speed:.0f} m/s of air")
+        # straight, rigid lines are what the reference is made of: beyond, it says nothing
+        if departure and departure.ending in (Ending.SLACK, Ending.GROUND):
+            self._following = False
+        reference = self.ghost.motion(self.segment) if self._following else None
+        if reference is None or not isfinite(reference.body.p_G_E.x):
+            return Moment(motion, None, wish, None, departure)
+        return Moment(motion, reference, wish, position_gap(motion, reference), departure)

@@ -1,0 +1,125 @@
+"""The film file: complete or not there, readable, refused with a sentence."""
+
+from fractions import Fraction
+from pathlib import Path
+
+import av
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from kitemj.cockpit.film import Film
+from kitemj.errors import InputError
+
+WIDTH, HEIGHT = 64, 48
+
+
+def frame(level: int) -> NDArray[np.uint8]:
+    return np.full((HEIGHT, WIDTH, 3), (level, 128, 255 - level), np.uint8)
+
+
+def frames_of(path: Path) -> list[NDArray[np.uint8]]:
+    with av.open(str(path)) as container:
+        return [
+            np.asarray(f.to_ndarray(format="rgb24"), np.uint8) for f in container.decode(video=0)
+        ]
+
+
+def test_every_frame_comes_back_in_its_order_and_colour(tmp_path: Path) -> None:
+    levels = range(20, 220, 10)
+    with Film(tmp_path / "kite.mp4", WIDTH, HEIGHT, rate=25) as film:
+        for level in levels:
+            film.add(frame(level))
+    with av.open(str(tmp_path / "kite.mp4")) as container:
+        stream = container.streams.video[0]
+        assert stream.codec_context.name == "h264"
+        assert stream.average_rate == Fraction(25)
+        assert stream.codec_context.pix_fmt == "yuv420p"
+    pictures = frames_of(tmp_path / "kite.mp4")
+    assert len(pictures) == len(levels)
+    for picture, level in zip(pictures, levels, strict=True):
+        # 12 of 255: what the coarser colours of yuv420p and the compression may change
+        assert np.abs(picture.mean(axis=(0, 1)) - (level, 128, 255 - level)).max() < 12
+
+
+def test_the_index_lies_in_front(tmp_path: Path) -> None:
+    with Film(tmp_path / "kite.mp4", WIDTH, HEIGHT) as film:
+        film.add(frame(10))
+    data = (tmp_path / "kite.mp4").read_bytes()
+    assert 0 < data.index(b"moov") < data.index(b"mdat")
+
+
+def test_the_name_appears_only_when_the_film_is_complete(tmp_path: Path) -> None:
+    path = tmp_path / "kite.mp4"
+    film = Film(path, WIDTH, HEIGHT)
+    film.add(frame(1))
+    assert not path.exists()
+    film.close()
+    film.close()
+    assert [p.name for p in tmp_path.iterdir()] == ["kite.mp4"]
+
+
+def test_ctrl_c_leaves_a_film_complete_up_to_then(tmp_path: Path) -> None:
+    path = tmp_path / "kite.mp4"
+
+    def filming() -> None:
+        with Film(path, WIDTH, HEIGHT) as film:
+            for _ in range(7):
+                film.add(frame(99))
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        filming()
+    assert len(frames_of(path)) == 7
+
+
+def test_without_a_frame_there_is_no_file(tmp_path: Path) -> None:
+    with Film(tmp_path / "kite.mp4", WIDTH, HEIGHT):
+        pass
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_film_that_exists_is_kept_unless_told(tmp_path: Path) -> None:
+    path = tmp_path / "kite.mp4"
+    path.write_bytes(b"precious")
+    with pytest.raises(FileExistsError, match="exists already: choose another name"):
+        Film(path, WIDTH, HEIGHT)
+    assert path.read_bytes() == b"precious"
+    with Film(path, WIDTH, HEIGHT, overwrite=True) as film:
+        film.add(frame(5))
+        assert path.read_bytes() == b"precious"
+    assert len(frames_of(path)) == 1
+
+
+def test_a_place_that_cannot_be_written_is_a_sentence(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match="there is no folder"):
+        Film(tmp_path / "nowhere" / "kite.mp4", WIDTH, HEIGHT)
+    with pytest.raises(IsADirectoryError, match="name a file in it"):
+        Film(tmp_path, WIDTH, HEIGHT)
+
+
+def test_a_folder_without_permission_is_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refused(self: Path, *arguments: object, **options: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "touch", refused)  # root may write everywhere
+    with pytest.raises(PermissionError, match=r"Permission denied in .*choose another folder"):
+        Film(tmp_path / "kite.mp4", WIDTH, HEIGHT)
+
+
+@pytest.mark.parametrize(("width", "height"), [(63, 48), (64, 47), (0, 48)])
+def test_a_size_that_h264_cannot_have_is_a_sentence(
+    tmp_path: Path, width: int, height: int
+) -> None:
+    with pytest.raises(InputError, match="must be even"):
+        Film(tmp_path / "kite.mp4", width, height)
+
+
+def test_a_frame_of_another_size_is_a_sentence(tmp_path: Path) -> None:
+    with Film(tmp_path / "kite.mp4", WIDTH, HEIGHT) as film:
+        with pytest.raises(InputError, match="does not fit"):
+            film.add(np.zeros((HEIGHT, WIDTH + 2, 3), np.uint8))
+        film.add(frame(3))
+    assert len(frames_of(tmp_path / "kite.mp4")) == 1
