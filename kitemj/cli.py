@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+import time
 from collections.abc import Sequence
 from importlib.metadata import version
 from pathlib import Path
@@ -23,7 +24,9 @@ class Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line; returns the exit status: 0 done, 1 a no, 2 bad input."""
+    called = time.perf_counter()
     words = _parser().parse_args(arguments)
+    words.called = called
     try:
         return int(words.run(words))
     except (InputError, FileExistsError, FileNotFoundError, PermissionError) as error:

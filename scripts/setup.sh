@@ -4,6 +4,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 export PIP_DISABLE_PIP_VERSION_CHECK=1 DEBIAN_FRONTEND=noninteractive
+export UV_COMPILE_BYTECODE=1 # seconds now, or a second at every start
 
 say() { echo "setup: $*" >&2; }
 

@@ -39,13 +39,18 @@ class Summary:
 
 
 def fly(
-    flight: LiveFlight, picture: Picture, screen: Screen, duration: float | None = None
+    flight: LiveFlight,
+    picture: Picture,
+    screen: Screen,
+    duration: float | None = None,
+    called: float | None = None,
 ) -> Summary:
-    """Flies until the screen is left, Ctrl-C, or `duration` [s] of flight have passed.
+    """Flies until the screen is left, Ctrl-C, or `duration` [s] of wall time have passed.
 
+    `called` [s, perf_counter]: since when the first frame is waited for; now, if left out.
     Raises what ended the physics thread, if anything did, once the screen is closed.
     """
-    called = time.perf_counter()
+    called = called or time.perf_counter()
     flight.warm_up()
     pacer = Pacer(flight)
     frames, first, clock = 0, 0.0, pygame.time.Clock()

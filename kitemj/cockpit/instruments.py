@@ -6,14 +6,14 @@ Red is the pilot's left (A₊), blue the pilot's right (A₋), as on the kite.
 from math import atan2, degrees, hypot
 from typing import TYPE_CHECKING
 
+import pygame
+
 from kitemj.cockpit.lettering import Colour, put, width
 from kitemj.cockpit.scene import newtons_per_metre
 from kitemj.dynamics.motion import Motion, attachment_E
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import norm
 from kitemj.physics.wind import wind_speed
-
-import pygame  # isort: skip  after lettering, which keeps pygame from greeting
 
 if TYPE_CHECKING:
     from kitemj.cockpit.picture import Readings

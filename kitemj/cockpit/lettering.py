@@ -1,10 +1,8 @@
 """Text on a pygame surface: sizes in pixels of digit height, every rendered string kept a while."""
 
-import os
 from functools import lru_cache
 from pathlib import Path
 
-os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 import pygame
 
 Colour = tuple[int, int, int]

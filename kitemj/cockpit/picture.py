@@ -5,6 +5,7 @@ from types import TracebackType
 from typing import Any, NamedTuple, Self
 
 import numpy as np
+import pygame
 from numpy.typing import NDArray
 
 from kitemj.cockpit import views
@@ -18,8 +19,6 @@ from kitemj.errors import InputError
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, times
-
-import pygame  # isort: skip  after lettering, which keeps pygame from greeting
 
 VIEWS: tuple[str, ...] = tuple(views.CAMERAS)
 RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0}  # deg, to the right of straight ahead

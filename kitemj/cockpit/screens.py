@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 import pygame
 from numpy.typing import NDArray
+from pygame._sdl2 import controller
 
 from kitemj.cockpit.film import Film
 from kitemj.cockpit.picture import VIEWS
@@ -57,12 +58,10 @@ class Window:
 
     def __init__(self, width: int, height: int, title: str) -> None:
         self._size = (width, height)
-        self._surface = pygame.display.set_mode(
-            self._size, pygame.RESIZABLE | pygame.SCALED, vsync=0
-        )
+        pygame.display.set_mode(self._size, pygame.RESIZABLE)
         pygame.display.set_caption(title)
         pygame.joystick.init()
-        self._person = PersonStick(width)
+        self._person = PersonStick()
         self.stick: Stick = self._person
         self.view, self.leaving, self.restarting = VIEWS[0], False, False
 
@@ -90,14 +89,21 @@ class Window:
             self.view = VIEWS[(VIEWS.index(self.view) + 1) % len(VIEWS)]
 
     def show(self, frame: Frame, wall: float) -> None:
-        """Puts the frame on the screen."""
+        """Puts the frame on the screen, as large as the window allows, its shape kept."""
         picture = pygame.image.frombuffer(frame.data, self._size, "RGB")
-        self._surface.blit(picture, (0, 0))
+        surface = pygame.display.get_surface()
+        place = picture.get_rect().fit(surface.get_rect())
+        if place.size != self._size:
+            picture = pygame.transform.smoothscale(picture, place.size)
+            surface.fill((0, 0, 0))
+        surface.blit(picture, place)
         pygame.display.flip()
 
     def close(self) -> None:
-        """Closes the window."""
-        pygame.quit()
+        """Closes the window and lets go of the pads; fonts stay, pictures may go on."""
+        controller.quit()
+        pygame.joystick.quit()
+        pygame.display.quit()
 
 
 class FilmScreen:

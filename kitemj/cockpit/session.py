@@ -31,7 +31,8 @@ def fly_session(words: argparse.Namespace, size: tuple[int, int]) -> int:
             Window(*size, f"kitemj: {scenario.source}") if windowed else FilmScreen(path, *size)
         )
         screen.view = words.view
-        print(fly(flight, picture, screen, words.duration if windowed else duration))
+        limit = words.duration if windowed else duration
+        print(fly(flight, picture, screen, limit, words.called))
     if not windowed:
         print(f"film         {path}")
     return 0

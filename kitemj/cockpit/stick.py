@@ -60,8 +60,7 @@ class PersonStick:
     Needs pygame's display and joystick modules; `handle` is to see every event.
     """
 
-    def __init__(self, width: int) -> None:
-        self._width = width
+    def __init__(self) -> None:
         self._pads: dict[int, Any] = {}
         self._mouse: float | None = None
         self.message = ""
@@ -86,7 +85,7 @@ class PersonStick:
         elif event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION) and (
             event.type == pygame.MOUSEBUTTONDOWN or event.buttons[0]
         ):
-            middle = self._width / 2
+            middle = pygame.display.get_window_size()[0] / 2
             self._mouse = max(-1.0, min(1.0, (event.pos[0] - middle) / middle * 2))
 
     def command(self, t: float) -> Command:

@@ -1,0 +1,110 @@
+"""The real loop, flown by a virtual gamepad in a window that nobody sees."""
+
+import av
+import pygame
+import pytest
+
+from kitemj.cockpit.fly import fly
+from kitemj.cockpit.picture import Picture, Readings
+from kitemj.cockpit.screens import FilmScreen, Window, display_found
+from kitemj.dynamics.motion import attachment_E
+from kitemj.flight.live import LiveFlight
+from kitemj.flight.scenario import scenario_of
+from tests.cockpit.virtual_pad import VirtualPad
+
+SIZE = (640, 360)
+QUICK = {"delta": 0.4, "delta_dot": 0.5, "delta_ddot": 2.0}
+SCENARIO = scenario_of({"set": "thesis", "duration": 60.0, "stick": QUICK}, "test")
+
+
+class Script:
+    """Does things at given times [s] of wall time, in place of a person."""
+
+    def __init__(self, window, doings):
+        self.window, self.doings, self.seen = window, list(doings), []
+
+    def __getattr__(self, name):
+        return getattr(self.window, name)
+
+    def show(self, frame, wall):
+        while self.doings and wall >= self.doings[0][0]:
+            self.doings.pop(0)[1]()
+        self.window.show(frame, wall)
+
+
+@pytest.fixture
+def window(monkeypatch):
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    assert display_found()
+    window = Window(*SIZE, "test")
+    yield window
+    pygame.display.quit()
+
+
+@pytest.fixture
+def picture():
+    with Picture(SCENARIO.parameters, *SIZE) as picture:
+        yield picture
+
+
+def test_right_stick_pulls_the_line_that_the_pilot_sees_on_the_right(window, picture):
+    """L₋ gets shorter, L₊ longer; A₋ is right of A₊ in the picture."""
+    pad, flight = VirtualPad(), LiveFlight(SCENARIO)
+    script = Script(window, [(0.1, lambda: pad.left_stick(1.0))])
+    fly(flight, picture, script, duration=2.0)
+    motion = flight.kite.motion(flight.segment)
+    assert window.stick.name == "gamepad"
+    assert motion.control.delta > 0.1
+    assert motion.lengths.minus < 79.9 < 80.1 < motion.lengths.plus
+    picture.paint(motion, None, Readings(), "pilot")
+    left, _ = picture.pixel(attachment_E(SCENARIO.parameters, motion.body, 1.0))
+    right, _ = picture.pixel(attachment_E(SCENARIO.parameters, motion.body, -1.0))
+    assert right > left
+
+
+def test_unplugged_pad_centres_and_comes_back(window, picture):
+    pad, flight = VirtualPad(), LiveFlight(SCENARIO)
+    pads, wishes = [pad], []
+    original = flight._moment
+
+    def watched(wish):
+        wishes.append(wish)
+        return original(wish)
+
+    flight._moment = watched
+    doings = [
+        (0.1, lambda: pad.left_stick(1.0)),
+        (0.6, pad.unplug),
+        (1.2, lambda: pads.append(VirtualPad())),
+        (1.4, lambda: pads[1].left_stick(-1.0)),
+    ]
+    fly(flight, picture, Script(window, doings), duration=2.2)
+    ticks = wishes[4:]  # the warm-up and the two starts before
+    assert max(ticks) == pytest.approx(0.4)
+    gone = ticks.index(max(ticks)) + 90
+    assert ticks[gone] == 0.0
+    assert ticks[-1] == pytest.approx(-0.4)
+
+
+def test_escape_leaves_and_the_summary_adds_up(window, picture):
+    escape = pygame.event.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE)
+    script = Script(window, [(0.5, lambda: pygame.event.post(escape))])
+    summary = fly(LiveFlight(SCENARIO), picture, script, duration=20.0)
+    assert 0.4 < summary.wall < 5.0
+    assert summary.flown == pytest.approx(summary.times.ticks * 0.01)
+    assert abs(summary.flown + summary.times.lost - summary.wall) < 0.3
+    assert summary.frames >= 1
+    assert "missed" in str(summary)
+
+
+def test_interrupt_leaves_a_complete_film(tmp_path, picture):
+    class Impatient(FilmScreen):
+        def poll(self):
+            if self._film.frames >= 10:
+                raise KeyboardInterrupt
+
+    path = tmp_path / "kite.mp4"
+    summary = fly(LiveFlight(SCENARIO), picture, Impatient(path, *SIZE), duration=20.0)
+    assert summary.flown > 0
+    with av.open(str(path)) as film:
+        assert sum(1 for _ in film.decode(video=0)) >= 10
