@@ -13,3 +13,7 @@ class FlightError(RuntimeError):
     def __init__(self, model: str, t: float, reason: str, motions: list[Any]) -> None:
         super().__init__(f"{model} cannot fly on after t = {t:.3f} s: {reason}")
         self.reason, self.motions = reason, motions
+
+
+class NoGraphics(RuntimeError):  # noqa: N818  says what is the matter
+    """There is no OpenGL to draw with; the message says how to mend that."""

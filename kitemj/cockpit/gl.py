@@ -17,6 +17,8 @@ from typing import Any, NamedTuple
 
 from platformdirs import user_cache_path
 
+from kitemj.errors import NoGraphics
+
 PROBE = """
 from importlib import import_module
 import sys
@@ -30,10 +32,6 @@ PROBE_TIMEOUT = 20.0  # s, a cold start from a slow disk
 SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "gdi generic")
 OFF = ("disable", "disabled", "off", "false", "0")
 ALIASES = {"glx": "glfw", "wgl": "glfw", "": "", "enable": "", "on": "", "true": "", "1": ""}
-
-
-class NoGraphics(RuntimeError):  # noqa: N818  says what is the matter
-    """There is no OpenGL to draw with; the message says how to mend that."""
 
 
 class Graphics(NamedTuple):
@@ -168,5 +166,5 @@ def _remedy(failures: list[str]) -> str:
     if {"debian", "ubuntu"} & set(family):
         return f"run: apt-get install -y {'libosmesa6' if mesa else 'libegl1 libgl1'}"
     if {"fedora", "rhel"} & set(family):
-        return f"run: dnf install {'mesa-libOSMesa' if mesa else 'mesa-libEGL mesa-libGL'}"
+        return f"run: dnf install -y {'mesa-libOSMesa' if mesa else 'mesa-libEGL mesa-libGL'}"
     return "install Mesa's EGL and GL libraries (libEGL.so.1 and libGL.so.1)"

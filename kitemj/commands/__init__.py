@@ -1,0 +1,1 @@
+"""The subcommands of `kitemj`: each reads its words and calls one room."""

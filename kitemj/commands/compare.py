@@ -1,0 +1,45 @@
+"""`kitemj compare`: a scenario through all models, and how far apart they are."""
+
+import argparse
+from pathlib import Path
+
+from kitemj.commands.words import MODELS, Parser, add_step, command
+from kitemj.errors import InputError
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "compare",
+        "fly a scenario through the models and print how far apart they are",
+        "kitemj compare scenarios/steer_200m.toml",
+    )
+    parser.add_argument("scenario", type=Path, nargs="+", help="scenario files (TOML)")
+    parser.add_argument(
+        "--models", default=",".join(MODELS), metavar="A,B", help="the last one is the reference"
+    )
+    parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="write the table as well")
+    parser.add_argument("--overwrite", action="store_true", help="replace FILE.md if it exists")
+    add_step(parser)
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.flight.compare import compare_models
+    from kitemj.flight.compare_table import print_table, write_markdown
+    from kitemj.flight.output import check_new
+    from kitemj.flight.scenario import read_scenario
+
+    if words.markdown:
+        check_new(words.markdown, words.overwrite)
+    scenarios = [read_scenario(path) for path in words.scenario]
+    models = words.models.split(",")
+    if len(models) < 2:
+        raise InputError(f"--models needs two or more, got {words.models!r}")
+    rows = [row for each in scenarios for row in compare_models(each, models, words.step)]
+    print_table(rows)
+    if words.markdown:
+        write_markdown(words.markdown, rows, words.overwrite)
+    return 0 if all(row.agrees for row in rows) else 1

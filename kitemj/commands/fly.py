@@ -1,0 +1,83 @@
+"""`kitemj fly`: a person, a stick, a kite."""
+
+import argparse
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kitemj.commands.words import MODELS, Parser, add_picture, add_step, command, size
+from kitemj.errors import InputError
+
+if TYPE_CHECKING:
+    from kitemj.flight.scenario import Scenario
+
+SHOW_DURATION = 20.0
+"""s; of a flight that nobody watches."""
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "fly",
+        "fly in real time with a gamepad, the keys or the mouse; with no display, film a show",
+        "kitemj fly scenarios/steer_80m.toml",
+    )
+    parser.epilog = (
+        "Left stick, arrow keys or A/D, or the mouse with its button held: the lines.\n"
+        "W/S or the right stick: let out and take in. V: view, R: start again, Esc: leave.\n\n"
+        f"{parser.epilog}"
+    )
+    parser.add_argument("scenario", type=Path, nargs="?", help="a scenario file (TOML)")
+    parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
+    parser.add_argument("--headless", action="store_true", help="film a show, open no window")
+    parser.add_argument("--film", type=Path, metavar="FILE.mp4", help="name of that film")
+    parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
+    add_picture(parser)
+    add_step(parser)
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.cockpit.fly import fly
+    from kitemj.cockpit.picture import Picture
+    from kitemj.cockpit.screens import FilmScreen, Screen, Window, display_found
+    from kitemj.flight.live import LiveFlight
+
+    pixels, scenario = size(words.size), _scenario(words.scenario)
+    if words.duration is not None and not words.duration > 0:
+        raise InputError(f"--duration must be > 0 s, got {words.duration} s")
+    path, duration = None, words.duration
+    if words.headless or not display_found():
+        path, duration = _film_path(words.film), duration or SHOW_DURATION
+        why = "as asked, no window" if words.headless else "there is no display"
+        print(f"{why}: a programmed stick flies {duration:g} s in real time into {path}")
+    flight = LiveFlight(scenario, words.model, step=words.step)
+    with Picture(scenario.parameters, *pixels) as picture:
+        screen: Screen = (
+            FilmScreen(path, *pixels) if path else Window(*pixels, f"kitemj: {scenario.source}")
+        )
+        screen.view = words.view
+        print(fly(flight, picture, screen, duration, words.called))
+    if path:
+        print(f"film         {path}")
+    return 0
+
+
+def _film_path(named: Path | None) -> Path:
+    """The name asked for, or one of the present moment; InputError where it cannot be."""
+    from kitemj.flight.output import check_new
+
+    path = named or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
+    check_new(path, overwrite=False)
+    return path
+
+
+def _scenario(path: Path | None) -> "Scenario":
+    """The scenario of the file, or the kite of the thesis in its wind."""
+    from kitemj.flight.scenario import read_scenario, scenario_of
+
+    if path is not None:
+        return read_scenario(path)
+    return scenario_of({"set": "thesis", "duration": 60.0}, "the thesis kite on 80 m lines")

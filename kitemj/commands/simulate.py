@@ -1,0 +1,42 @@
+"""`kitemj simulate`: a scenario, a model, a table."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from kitemj.commands.words import MODELS, Parser, add_step, command
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "simulate",
+        "fly a scenario with no screen and write a table",
+        "kitemj simulate scenarios/steer_200m.toml --model lagrange --output flight.csv",
+    )
+    parser.add_argument("scenario", type=Path, help="a scenario file (TOML)")
+    parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
+    parser.add_argument("--output", type=Path, required=True, metavar="FILE.csv")
+    parser.add_argument("--overwrite", action="store_true", help="replace FILE.csv if it exists")
+    add_step(parser)
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.flight.output import check_new, write_csv
+    from kitemj.flight.scenario import read_scenario
+    from kitemj.flight.simulate import simulate
+    from kitemj.flight.validity import Ending
+
+    check_new(words.output, words.overwrite)
+    flight = simulate(read_scenario(words.scenario), words.model, words.step)
+    write_csv(words.output, flight.motions, words.overwrite)
+    print(f"{words.output}: {len(flight.motions)} rows, {flight.model}; {flight.ending.value}")
+    if flight.departure:
+        print(f"left the limits of validity at {flight.departure}")
+    if flight.ending is Ending.DIVERGED:
+        print(f"kitemj: {flight.note}", file=sys.stderr)
+        return 1
+    return 0
