@@ -42,6 +42,9 @@ class Screen(Protocol):
 def display_found() -> bool:
     """Whether a window can be opened; starts pygame's display if so."""
     os.environ.setdefault("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1")
+    # SDL would put the frames up with an OpenGL context of its own, which stays current in
+    # this thread and keeps the picture's from becoming so
+    os.environ.setdefault("SDL_FRAMEBUFFER_ACCELERATION", "0")
     if os.name == "posix" and os.uname().sysname == "Linux":
         named = ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER")
         if not any(os.environ.get(name) for name in named):
