@@ -68,18 +68,14 @@ class Model(Protocol):
         """The motion at each of `times` [s], ascending, not before now; the last becomes now."""
 
 
-SKID = 0.05
-"""m; radius of the balls on which the kite touches the ground."""
+HULL = 0.05
+"""m; half the thickness of the box that touches the ground."""
 
 
-def skids_B(kite: Kite) -> dict[str, Vector]:
-    """Where the kite touches the ground, by name: points [m, B] from G."""
-    return {
-        "skid_plus": Vector(0.0, kite.span / 2, 0.0),
-        "skid_minus": Vector(0.0, -kite.span / 2, 0.0),
-        "skid_nose": Vector(kite.chord / 2, 0.0, 0.0),
-        "skid_tail": Vector(-kite.chord / 2, 0.0, 0.0),
-    }
+def hull_corners_B(kite: Kite) -> list[Vector]:
+    """The eight corners [m, B] of the box of chord x span with which the kite meets the ground."""
+    x, y = kite.chord / 2, kite.span / 2
+    return [Vector(a * x, b * y, c * HULL) for a in (1, -1) for b in (1, -1) for c in (1, -1)]
 
 
 @compiled

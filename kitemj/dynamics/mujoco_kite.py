@@ -46,33 +46,39 @@ def _add_rate(engine: Engine, sum_: Array, weight: float) -> None:
 @compiled
 def _read(engine: Engine, x: Array) -> None:
     """x = (qpos, qvel)."""
-    x[:7] = engine.qpos
-    x[7:] = engine.qvel
+    for i in range(7):  # loops, here and below: slices of such short arrays cost 0.1 µs each
+        x[i] = engine.qpos[i]
+    for i in range(6):
+        x[7 + i] = engine.qvel[i]
 
 
 @compiled
 def _write(engine: Engine, x: Array) -> None:
     """(qpos, qvel) = x."""
-    engine.qpos[:] = x[:7]
-    engine.qvel[:] = x[7:]
+    for i in range(7):
+        engine.qpos[i] = x[i]
+    for i in range(6):
+        engine.qvel[i] = x[7 + i]
 
 
 @compiled
 def rk4(engine: Engine, parameters: Parameters, programme: Programme, t: float, h: float) -> None:
     """One classical Runge-Kutta step of `h` [s] from time `t` [s]; lines keep their switches."""
-    start, stage, total = engine.stages[0], engine.stages[1], engine.stages[2]
+    start, stage, total = engine.start, engine.stage, engine.total
     _read(engine, start)
-    total[:] = start
+    _read(engine, total)
     for i in range(4):
         reach = 0.0 if i == 0 else (h if i == 3 else 0.5 * h)
         if i > 0:
-            stage[:] = start
+            for j in range(13):
+                stage[j] = start[j]
             _add_rate(engine, stage, reach)
             _write(engine, stage)
         evaluate(engine, parameters, programme, t + reach)
         _add_rate(engine, total, h / 6 if i in (0, 3) else h / 3)
     size = sqrt(total[3] ** 2 + total[4] ** 2 + total[5] ** 2 + total[6] ** 2)
-    total[3:7] /= size
+    for j in range(3, 7):
+        total[j] /= size
     _write(engine, total)
 
 

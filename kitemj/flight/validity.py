@@ -5,9 +5,13 @@ from enum import Enum
 from math import degrees
 from typing import NamedTuple
 
-from kitemj.dynamics.motion import SKID, Motion, skids_B
+from kitemj.dynamics.motion import Motion, hull_corners_B
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import plus, unrotated
+
+
+TOUCH = 1e-3
+"""m; nearer than this to the ground the engine's contact is at work."""
 
 
 class Ending(Enum):
@@ -55,7 +59,9 @@ def first_departure(parameters: Parameters, motions: Iterable[Motion]) -> Depart
 
 
 def touches_ground(parameters: Parameters, motion: Motion) -> bool:
-    """Whether any of the kite's skids is on the ground (or, with no ground to stop it, below)."""
+    """Whether a corner of the kite's hull is on the ground (or below, with none to stop it)."""
     body = motion.body
-    skids = skids_B(parameters.kite).values()
-    return any(plus(body.p_G_E, unrotated(body.R_BE, skid)).z > -SKID for skid in skids)
+    if -body.p_G_E.z > parameters.kite.span + parameters.kite.chord:
+        return False
+    corners = hull_corners_B(parameters.kite)
+    return any(plus(body.p_G_E, unrotated(body.R_BE, corner)).z > -TOUCH for corner in corners)
