@@ -7,6 +7,7 @@ or another steering programme takes its place without touching the dynamics.
 """
 
 import hashlib
+import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -31,7 +32,12 @@ def cache_folder() -> Path:
     digest = hashlib.sha256()
     for source in sorted([*package.glob("physics/*.py"), *package.glob("dynamics/*.py")]):
         digest.update(source.read_bytes())
-    return user_cache_path("kitemj") / f"compiled-{digest.hexdigest()[:16]}"
+    home = user_cache_path("kitemj")
+    try:
+        home.mkdir(parents=True, exist_ok=True)
+    except OSError:  # a home that cannot be written: compile in every process
+        home = Path(tempfile.mkdtemp(prefix="kitemj-"))
+    return home / f"compiled-{digest.hexdigest()[:16]}"
 
 
 def compiled(function: F) -> F:
