@@ -10,8 +10,10 @@ MAY_IMPORT = {
     "physics": {"physics"},
     "dynamics": {"physics", "dynamics"},
     "flight": {"physics", "dynamics", "flight"},
+    "studies": {"physics", "dynamics", "flight", "studies"},
+    "stability": {"physics", "dynamics", "flight", "stability"},
     "cockpit": {"physics", "dynamics", "flight", "cockpit"},
-    "commands": {"physics", "dynamics", "flight", "cockpit", "commands"},
+    "commands": {"physics", "dynamics", "flight", "studies", "cockpit", "commands"},
 }
 SHARED = {"errors", "model_files", "mujoco_import"}
 FORMULATIONS = {
@@ -50,5 +52,5 @@ def test_formulations_do_not_import_one_another(formulation):
 
 
 def test_every_file_of_dynamics_is_accounted_for():
-    known = set().union(*FORMULATIONS.values()) | {"motion", "__init__"}
+    known = set().union(*FORMULATIONS.values()) | {"motion", "adaptive", "survey", "__init__"}
     assert {file.stem for file in (PACKAGE / "dynamics").glob("*.py")} == known

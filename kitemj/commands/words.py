@@ -5,7 +5,7 @@ from typing import NoReturn
 
 from kitemj.errors import InputError
 
-VIEWS = ("chase", "pilot", "side")
+VIEWS = ("chase", "pilot", "side", "top", "orbit")
 MODELS = ("mujoco", "newton-euler", "lagrange")
 RAW = argparse.RawDescriptionHelpFormatter
 
@@ -46,3 +46,11 @@ def size(text: str) -> tuple[int, int]:
     if not (width.isdigit() and height.isdigit()):
         raise InputError(f"--size must be like 1280x720, got {text!r}")
     return int(width), int(height)
+
+
+def number(text: str, word: str) -> float:
+    """The number that `text` says; InputError, which names `word`, where it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(f"{word} must be a number, got {text!r}") from None

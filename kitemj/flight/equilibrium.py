@@ -1,24 +1,39 @@
-"""Where the kite hangs still in a constant wind, from one scalar equation.
+"""Where the kite hangs still in a steady wind, from one scalar equation.
+
+With equal lines and the wind from ahead everything happens in the plane of symmetry. The
+lines meet at O_E and pass their pull on at the attachments, so only the moment of weight
+and air about the attachments decides the angle of attack; the lines then point along the
+sum of the forces.
 
 Source: Sánchez-Arriaga et al., Applied Mathematical Modelling 47 (2017), section 4; no
 dynamics code is needed, so the models can be held against it.
 """
 
-from math import atan2, cos, hypot, pi, sin
+from math import atan2, cos, degrees, hypot, pi, sin
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
+from numpy.typing import NDArray
+from scipy.optimize import brentq, minimize_scalar
 
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import coefficients
+from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell
 from kitemj.physics.vectors import Vector
+from kitemj.physics.wind import Wind, wind_speed
 
-STILL = Vector(0.0, 0.0, 0.0)
+GRID = np.radians(np.linspace(-90.0, 90.0, 1801))
+"""rad; angles of attack between which balances are looked for, 0.1° apart."""
+
+STRONGEST = 50.0
+"""m/s; no kite is asked whether it would fly in more."""
+
+HEIGHT_ITERATIONS = 100
+"""Of the wind at the kite's height; each takes the error down to a seventh or less."""
 
 
 class Equilibrium(NamedTuple):
@@ -30,54 +45,196 @@ class Equilibrium(NamedTuple):
     tension: float
 
 
-def _forces(parameters: Parameters, alpha: float) -> tuple[float, float, float]:
-    """Air force X, Z [N, B] and pitching moment about the attachments [N m] at `alpha` [rad].
+class Balance(NamedTuple):
+    """Moment of weight and air about the attachments [N m] and their sum [N, E]; wind [m/s]."""
 
-    In symmetric flight the kite's pitch angle is α = γ + θ: the wind is horizontal.
-    """
-    kite, V = parameters.kite, parameters.wind.speed
-    C = coefficients(parameters.aero, kite, alpha, 0.0, STILL, V)
+    moment: float
+    force_x: float
+    force_z: float
+    wind: float
+
+
+@compiled
+def _balance_in(parameters: Parameters, alpha: float, V: float) -> Balance:
+    """The balance at `alpha` [rad] in a wind of `V` [m/s] at the kite."""
+    kite = parameters.kite
+    C = coefficients(parameters.aero, kite, alpha, 0.0, Vector(0.0, 0.0, 0.0), V)
     qS = 0.5 * parameters.environment.air_density * V * V * kite.area
     X, Z = qS * C.x, qS * C.z
     weight = kite.mass * parameters.environment.gravity
-    # all forces act at G, which sits at -(X_A, 0, Z_A) from the attachments
+    # the wind is horizontal, so the pitch angle is α; G sits at -(X_A, 0, Z_A) from A±
     X_all, Z_all = X - weight * sin(alpha), Z + weight * cos(alpha)
     moment = qS * kite.chord * C.m - kite.z_A * X_all + kite.x_A * Z_all
-    return X, Z, moment
+    F_x = X * cos(alpha) + Z * sin(alpha)
+    F_z = -X * sin(alpha) + Z * cos(alpha) + weight
+    return Balance(moment, F_x, F_z, V)
 
 
-def equilibrium(parameters: Parameters, source: str = "parameters") -> Equilibrium:
-    """The equilibrium with 0 < α < α_stall and both lines pulling, in `parameters.wind.speed`.
+@compiled
+def balance(parameters: Parameters, ell: float, alpha: float) -> Balance:
+    """The balance at `alpha` [rad] with the attachments' midpoint `ell` [m] from O_E.
 
-    Gusts, shear and the wind's azimuth are left out. Raises InputError where there is none.
+    In a wind that grows with height the kite's height follows from the direction of the
+    lines, and that from the wind.
     """
-    angles = np.linspace(0.0, parameters.limits.alpha_stall, 400)
-    moments = [_forces(parameters, float(alpha))[2] for alpha in angles]
-    for low, high, m_low, m_high in zip(angles, angles[1:], moments, moments[1:], strict=False):
-        if m_low * m_high < 0:
-            alpha = float(brentq(lambda a: _forces(parameters, a)[2], low, high, xtol=1e-15))
-            found = _hanging(parameters, alpha)
-            if found.tension > 0 and abs(found.gamma) < pi / 2:
-                return found
-    raise InputError(
-        f"there is no equilibrium with 0 < alpha < alpha_stall = "
-        f"{np.degrees(parameters.limits.alpha_stall):g} deg in a wind of "
-        f"{parameters.wind.speed} m/s ({source}); change the wind or the kite, or give "
-        f'[start] at = "state"'
+    kite, wind = parameters.kite, parameters.wind
+    found = _balance_in(parameters, alpha, wind.speed)
+    if wind.exponent == 0.0:
+        return found
+    for _ in range(HEIGHT_ITERATIONS):
+        gamma = atan2(-found.force_x, -found.force_z)
+        theta = alpha - gamma
+        ahead = kite.x_A * cos(theta) + kite.z_A * sin(theta)
+        above = ell - kite.x_A * sin(theta) + kite.z_A * cos(theta)
+        V = wind_speed(wind, above * cos(gamma) - ahead * sin(gamma), 0.0)
+        change = abs(V - found.wind)
+        found = _balance_in(parameters, alpha, V)
+        if change <= 1e-15 * V:
+            break
+    return found
+
+
+@compiled
+def _moments(
+    parameters: Parameters, ell: float, angles: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The moment [N m] at each of `angles` [rad]."""
+    moments = np.empty(len(angles))
+    for i in range(len(angles)):
+        moments[i] = balance(parameters, ell, angles[i]).moment
+    return moments
+
+
+def balanced_angles(parameters: Parameters, ell: float) -> list[float]:
+    """Every α [rad] in (-90°, 90°), ascending, at which the moments balance.
+
+    Sign changes on a grid, and pairs of roots between two grid points, which show as an
+    extremum that comes close to zero.
+    """
+
+    def moment(alpha: float) -> float:
+        return float(balance(parameters, ell, alpha).moment)
+
+    m = _moments(parameters, ell, GRID)
+    brackets = [(GRID[i], GRID[i + 1]) for i in np.flatnonzero(m[:-1] * m[1:] < 0)]
+    size, slope = np.abs(m), np.diff(m)
+    dips = np.flatnonzero(
+        (slope[:-1] * slope[1:] < 0)
+        & (size[1:-1] < np.minimum(size[:-2], size[2:]))
+        & (m[:-2] * m[1:-1] > 0)
+        & (m[1:-1] * m[2:] > 0)
+    )
+    for i in dips:
+        low, high, side = float(GRID[i]), float(GRID[i + 2]), float(np.sign(m[i + 1]))
+        bottom = minimize_scalar(
+            lambda alpha, side=side: side * moment(alpha), bounds=(low, high), method="bounded"
+        )
+        if bottom.fun < 0:
+            brackets += [(low, float(bottom.x)), (float(bottom.x), high)]
+    roots = [float(brentq(moment, low, high, xtol=1e-15)) for low, high in brackets]
+    return sorted(roots + [float(alpha) for alpha in GRID[m == 0.0]])
+
+
+def hanging(parameters: Parameters, ell: float, alpha: float) -> Equilibrium:
+    """γ, θ and tension at a balanced `alpha` [rad]: lines point along the sum of all forces.
+
+    The tension is negative, and |γ| < 90°, where that sum points down: the lines would push.
+    """
+    found = balance(parameters, ell, alpha)
+    side = -1.0 if found.force_z > 0 else 1.0
+    gamma = atan2(-side * found.force_x, -side * found.force_z)
+    share = ell / hypot(ell, parameters.kite.y_A)  # cosine between a line and their middle
+    pull = side * hypot(found.force_x, found.force_z) / (2 * share)
+    return Equilibrium(alpha, gamma, alpha - gamma, pull)
+
+
+def symmetric_equilibria(parameters: Parameters, ell: float) -> list[Equilibrium]:
+    """All with 0 < α < α_stall and pulling lines, by ascending α; `ell` in m, δ = 0."""
+    found = [hanging(parameters, ell, alpha) for alpha in balanced_angles(parameters, ell)]
+    stall = parameters.limits.alpha_stall
+    return [e for e in found if 0 < e.alpha < stall and e.tension > 0 and abs(e.gamma) < pi / 2]
+
+
+def check_steady(parameters: Parameters, source: str) -> None:
+    """Raises InputError for a wind in which nothing can stand still."""
+    wind = parameters.wind
+    if wind.gust_amplitude != 0.0:
+        raise InputError(
+            f"wind.gust_amplitude must be 0 for an equilibrium, got {wind.gust_amplitude:g} "
+            f"({source}, [wind]); leave the gusts out"
+        )
+    if wind.speed <= 0.0 or parameters.environment.air_density <= 0.0:
+        raise InputError(
+            f"an equilibrium needs wind.speed > 0 m/s and environment.air_density > 0 kg/m3, "
+            f"got {wind.speed:g} m/s and {parameters.environment.air_density:g} kg/m3 ({source})"
+        )
+
+
+def no_equilibrium(parameters: Parameters, ell: float, source: str) -> InputError:
+    """The error that says why `symmetric_equilibria` is empty."""
+    wind, weight = parameters.wind, parameters.kite.mass * parameters.environment.gravity
+    stall = degrees(parameters.limits.alpha_stall)
+    found = [hanging(parameters, ell, alpha) for alpha in balanced_angles(parameters, ell)]
+    inside = [e for e in found if 0 < degrees(e.alpha) < stall]
+    if inside:
+        alpha = inside[0].alpha
+        lift = weight - balance(parameters, ell, alpha).force_z
+        why = (
+            f"at alpha = {degrees(alpha):.2f} deg, where the moments balance, the air lifts "
+            f"{lift:.1f} N and the kite weighs {weight:.1f} N, so that the lines would have to push"
+        )
+    elif found:
+        others = ", ".join(f"{degrees(e.alpha):.1f}" for e in found)
+        why = f"the moments about the attachments balance only at alpha = {others} deg"
+    else:
+        why = "the moments about the attachments balance at no alpha within +-90 deg"
+    least = least_wind(parameters, ell)
+    cure = (
+        f"it takes a wind of {least:.3g} m/s or more"
+        if least
+        else f"no stronger wind up to {STRONGEST:g} m/s helps: change the bridle (kite.x_A, z_A) "
+        f"or the aerodynamics"
+    )
+    return InputError(
+        f"there is no equilibrium with 0 < alpha < alpha_stall = {stall:g} deg in a wind of "
+        f"{wind.speed:g} m/s ({source}): {why}; {cure}"
     )
 
 
-def _hanging(parameters: Parameters, alpha: float) -> Equilibrium:
-    """The lines point along the sum of all forces on the kite."""
-    X, Z, _ = _forces(parameters, alpha)
-    weight = parameters.kite.mass * parameters.environment.gravity
-    F_x = X * cos(alpha) + Z * sin(alpha)
-    F_z = -X * sin(alpha) + Z * cos(alpha) + weight
-    gamma = atan2(-F_x, -F_z)
-    length, y_A = parameters.lines.length, parameters.kite.y_A
-    share = rest_ell(length, y_A) / length  # cosine of the angle between a line and their middle
-    pull = hypot(F_x, F_z) / (2 * share)
-    return Equilibrium(alpha, gamma, alpha - gamma, pull)
+def least_wind(parameters: Parameters, ell: float) -> float | None:
+    """The least wind.speed [m/s], above the present one, with an equilibrium; None: none.
+
+    Of the steps of 2 % that are tried up to STRONGEST, refined to 0.1 %, rounded up.
+    """
+
+    def stands(speed: float) -> bool:
+        wind = parameters.wind._replace(speed=speed)
+        return bool(symmetric_equilibria(parameters._replace(wind=wind), ell))
+
+    low = max(parameters.wind.speed, 0.1)
+    while low < STRONGEST and not stands(1.02 * low):
+        low *= 1.02
+    if low >= STRONGEST:
+        return None
+    high = 1.02 * low
+    while high > 1.001 * low:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if stands(middle) else (middle, high)
+    return 1.004 * high
+
+
+def equilibrium(parameters: Parameters, source: str = "parameters") -> Equilibrium:
+    """The equilibrium of least α with 0 < α < α_stall and both lines pulling, at ℓ₀, δ = 0.
+
+    The wind is `parameters.wind.speed` everywhere: gusts, shear and azimuth are left out.
+    Raises InputError where there is none.
+    """
+    still = parameters._replace(wind=Wind(parameters.wind.speed))
+    ell = rest_ell(parameters.lines.length, parameters.kite.y_A)
+    found = symmetric_equilibria(still, ell)
+    if not found:
+        raise no_equilibrium(still, ell, source)
+    return found[0]
 
 
 def equilibrium_state(parameters: Parameters, source: str = "parameters") -> State:

@@ -1,0 +1,40 @@
+"""`kitemj trim`: where a kite stands in a steady wind."""
+
+import argparse
+from pathlib import Path
+
+from kitemj.commands.results import add_results, check_results, give_results
+from kitemj.commands.words import MODELS, Parser, command
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "trim",
+        "find every equilibrium of a scenario's kite in its steady wind, lines held",
+        "kitemj trim scenarios/steer_80m.toml",
+    )
+    parser.add_argument("scenario", type=Path, help="a scenario file (TOML)")
+    parser.add_argument("--models", default=",".join(MODELS), metavar="A,B", help="which models")
+    add_results(parser)
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.flight.scenario import read_scenario
+    from kitemj.stability import plots
+    from kitemj.stability.tables import trim_table
+    from kitemj.stability.trim import equilibria, lines_held
+
+    check_results(words)
+    scenario = read_scenario(words.scenario)
+    ell, delta = lines_held(scenario.parameters, scenario.programme)
+    trims = [
+        trim
+        for model in words.models.split(",")
+        for trim in equilibria(scenario.parameters, ell, delta, model, scenario.source)
+    ]
+    give_results(words, [trim_table(trims)], {}, lambda: plots.trim_figure(trims))
+    return 0

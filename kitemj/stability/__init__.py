@@ -1,0 +1,1 @@
+"""Where the kite stands, whether it stays there, and the cycles it flies by itself."""

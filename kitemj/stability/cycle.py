@@ -1,0 +1,174 @@
+"""The closed orbit that the kite flies by itself where it cannot stand: by shooting.
+
+A flight from beside the unstable equilibrium is let settle (Lagrange's equations). Where it
+comes back to where it was, a state x on the section x_k = its value at the equilibrium, and a
+period T, are corrected by Newton's method until the flow of the asked model closes,
+Φ_T(x) = x. The derivative of Φ_T, the monodromy matrix, has the Floquet multipliers as
+eigenvalues; one of them is 1 (along the orbit), and how close it comes to that tells the
+accuracy of the others. A cycle that repels is not found this way.
+
+`aero.V_ref` stays what the set says, whatever the wind (see `kitemj.stability.modes`).
+"""
+
+from dataclasses import dataclass
+from math import cos
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.errors import InputError
+from kitemj.flight.validity import Departure, departure_at
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.steering import Control, rest_ell
+from kitemj.stability.linearise import state_matrix, state_units
+from kitemj.stability.minimal import Array, Minimal, held, minimal, steps_for
+from kitemj.stability.orbit import SAMPLES, Orbit, orbit
+from kitemj.stability.shooting import MOST_ROUNDS, STANDS, Closed, closed, monodromy, primitive
+from kitemj.stability.trim import standing
+
+NUDGE = 0.2
+"""rad; how far beside the equilibrium, in its growing mode, the settling flight begins."""
+PATIENCE = 6000.0
+"""s; of settling flight."""
+LOOK = 0.05
+"""s; between two looks for a crossing of the section."""
+RETURNS = (1e-2, 1e-3, 1e-4, 1e-6)
+"""Change from one return to the next, of the distance to the equilibrium, from which
+Newton's method is tried."""
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """A periodic flight with the lines held.
+
+    `period` [s], `frequency` [Hz]; `x0` (8,) [rad, rad/s]: a state on it; `multipliers` (8,),
+    largest first without the one that is 1; `trivial`: |μ - 1| of that; `residual`: how far
+    it is from closing, in rad and scaled rates; `orbit`: the flight itself and its ranges;
+    `departure`: the first limit of validity that it leaves, if any; `V_ref` [m/s].
+    """
+
+    model: str
+    period: float
+    x0: Array
+    multipliers: NDArray[np.complex128]
+    trivial: float
+    residual: float
+    orbit: Orbit
+    departure: Departure | None
+    V_ref: float | None
+
+    @property
+    def frequency(self) -> float:
+        """Rounds a second [Hz]."""
+        return 1 / self.period
+
+    @property
+    def stable(self) -> bool:
+        """Whether the kite comes back to it after any small disturbance."""
+        return bool(np.abs(self.multipliers[:-1]).max() < 1)
+
+
+def cycle(
+    parameters: Parameters,
+    ell: float | None = None,
+    delta: float = 0.0,
+    model: str = "lagrange",
+    source: str = "parameters",
+) -> Cycle:
+    """The cycle that the kite settles on when left beside its equilibrium, lines held.
+
+    `ell` [m] (None: ℓ₀), `delta` [rad]. Raises InputError where there is no equilibrium,
+    where it is stable, and where no cycle was found.
+    """
+    ell = rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
+    x_eq, control = standing(parameters, ell, delta, source), held(ell, delta)
+    lagrange = minimal("lagrange", parameters)
+    values, vectors = np.linalg.eig(state_matrix(lagrange, x_eq, control))
+    worst = int(np.argmax(values.real))
+    if values[worst].real <= 0:
+        raise InputError(
+            f"the equilibrium is stable (largest real part {values[worst].real:.4g} 1/s): no "
+            f"cycle grows from it ({source}); --vary finds where its stability is lost"
+        )
+    mode = vectors[:, worst]
+    k = int(np.argmax(np.abs(mode[:4])))
+    mode = (mode * np.exp(-1j * np.angle(mode[k]))).real
+    x, units = x_eq + NUDGE * mode / np.abs(mode[:4]).max(), state_units(parameters, ell)
+    t = 0.0
+    for closeness in RETURNS:
+        x, T, t = _settled(lagrange, x, control, x_eq, k, closeness, t, source)
+        found = closed(lagrange, x, T, control, k, units)
+        if found and np.abs((found.x - x_eq) / units).max() > STANDS:
+            found = primitive(lagrange, found, control, k, units)
+            break
+    else:
+        raise InputError(f"no cycle closes near the flight from the equilibrium ({source})")
+    if model == "lagrange":
+        return _told(lagrange, found, control, units)
+    kite = minimal(model, parameters)
+    M = monodromy(lagrange, found.x, found.period, control, steps_for(found.period), units)
+    own = closed(kite, found.x, found.period, control, k, units, M)
+    if own is None:
+        raise InputError(f"the cycle does not close by the model {model} ({source})")
+    return _told(kite, own, control, units)
+
+
+def _settled(
+    kite: Minimal,
+    x: Array,
+    control: Control,
+    x_eq: Array,
+    k: int,
+    closeness: float,
+    t: float,
+    source: str,
+) -> tuple[Array, float, float]:
+    """A state on the section near a closed orbit, its period [s], and the time [s] it took."""
+    units = state_units(kite.parameters, control.ell)
+    returns: list[tuple[float, Array]] = []
+    while t < PATIENCE:
+        before, x, t = x, kite.flow(x, control, LOOK), t + LOOK
+        turns = 2 * np.pi * np.round((x[:4] - x_eq[:4]) / (2 * np.pi))  # a kite that looped
+        x[:4] -= turns
+        before = np.concatenate((before[:4] - turns, before[4:]))
+        if not np.isfinite(x).all() or cos(x[1]) < 1e-3:
+            raise InputError(
+                f"no cycle found ({source}): the flight from the unstable equilibrium leaves "
+                f"the equations' domain after {t:.0f} s"
+            )
+        if not (before[k] < x_eq[k] <= x[k] < x_eq[k] + 1):
+            continue
+        part = (x_eq[k] - before[k]) / (x[k] - before[k])
+        at = kite.flow(before, control, part * LOOK)
+        at[k] = x_eq[k]
+        returns.append((t - LOOK + part * LOOK, at))
+        for time, other in returns[-2 : -2 - MOST_ROUNDS : -1]:
+            change = np.linalg.norm((at - other) / units)
+            if change < closeness * np.linalg.norm((at - x_eq) / units):
+                return at, returns[-1][0] - time, t
+    raise InputError(
+        f"no cycle found ({source}): the flight from the unstable equilibrium does not come "
+        f"back to itself within {PATIENCE:g} s"
+    )
+
+
+def _told(kite: Minimal, found: Closed, control: Control, units: Array) -> Cycle:
+    x, T, gap = found
+    M = monodromy(kite, x, T, control, steps_for(T), units)
+    values = np.linalg.eigvals(M)
+    trivial = int(np.argmin(np.abs(values - 1)))
+    rest = np.delete(values, trivial)
+    ordered = [*rest[np.argsort(-np.abs(rest))], values[trivial]]
+    flight = orbit(kite, x, T, control)
+    departures = (departure_at(kite.parameters, motion) for motion in flight.motions[:SAMPLES])
+    return Cycle(
+        kite.name,
+        T,
+        x,
+        np.array(ordered, dtype=complex),
+        float(abs(values[trivial] - 1)),
+        gap,
+        flight,
+        next((departure for departure in departures if departure), None),
+        getattr(kite.parameters.aero, "V_ref", None),
+    )

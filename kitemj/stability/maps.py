@@ -1,0 +1,90 @@
+"""How fast the least stable mode grows, over two parameters."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.errors import InputError
+from kitemj.physics.parameters import Parameters
+from kitemj.stability.modes import growth
+from kitemj.stability.vary import check_range, unit_of, with_value
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Axis:
+    """One parameter of a map: `name`, `unit`, `values` (n,)."""
+
+    name: str
+    unit: str
+    values: Array
+
+
+@dataclass(frozen=True)
+class StabilityMap:
+    """`real` [1/s] and `omega` [rad/s] of the least stable eigenvalue, indexed [y, x].
+
+    Not a number where there is no equilibrium. `V_ref` [m/s] is what the rates were scaled
+    by all over the map; None: it is one of the axes, or the law has none.
+    """
+
+    x: Axis
+    y: Axis
+    real: Array
+    omega: Array
+    V_ref: float | None
+
+    def rows(self) -> list[tuple[float, float, float, float]]:
+        """(x, y, real, omega) of every point."""
+        return [
+            (float(x), float(y), float(self.real[j, i]), float(self.omega[j, i]))
+            for j, y in enumerate(self.y.values)
+            for i, x in enumerate(self.x.values)
+        ]
+
+
+def stability_map(
+    parameters: Parameters,
+    x: tuple[str, float, float],
+    y: tuple[str, float, float],
+    points: int = 100,
+    ell: float | None = None,
+    delta: float = 0.0,
+) -> StabilityMap:
+    """The map over `x` and `y`, each (name, low, high), `points` values along either.
+
+    By Lagrange's equations; `ell` [m] None: ℓ₀, which follows `lines.length`. Raises
+    InputError for unknown names, ranges no set may have, and where nothing stands anywhere.
+    """
+    if x[0] == y[0]:
+        raise InputError(f"a map needs two different parameters, got {x[0]} twice")
+    if points < 2:
+        raise InputError(f"a map needs 2 or more points along each parameter, got {points}")
+    for name, low, high in (x, y):
+        check_range(parameters, name, low, high)
+    axes = [
+        Axis(name, unit_of(parameters, name), np.linspace(low, high, points))
+        for name, low, high in (x, y)
+    ]
+    values = np.full((points, points), complex(np.nan, np.nan))
+    for j, y_value in enumerate(axes[1].values):
+        row = with_value(parameters, y[0], float(y_value))
+        for i, x_value in enumerate(axes[0].values):
+            values[j, i] = _growth(with_value(row, x[0], float(x_value)), ell, delta)
+    if np.isnan(values.real).all():
+        raise InputError(
+            f"there is no equilibrium anywhere in {x[0]} {x[1]:g} to {x[2]:g}, "
+            f"{y[0]} {y[1]:g} to {y[2]:g}; give other ranges"
+        )
+    varied = "aero.V_ref" in (x[0], y[0])
+    V_ref = None if varied else getattr(parameters.aero, "V_ref", None)
+    return StabilityMap(axes[0], axes[1], values.real.copy(), values.imag.copy(), V_ref)
+
+
+def _growth(parameters: Parameters, ell: float | None, delta: float) -> complex:
+    try:
+        return growth(parameters, ell, delta)
+    except InputError:
+        return complex(np.nan, np.nan)

@@ -1,0 +1,239 @@
+"""Whether the kite stays where it stands: modes, and where a parameter takes stability away.
+
+The aerodynamic rates are scaled by `aero.V_ref`, a fixed number of the set (7 m/s) that does
+NOT follow the wind. This moves the threshold of C_lβ by half: in a wind of 10 m/s the laksa
+kite loses its stability at -0.4927 with V_ref = 7 m/s, and at -0.2986 with V_ref = 10 m/s.
+"""
+
+from dataclasses import dataclass
+from math import pi
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from kitemj.dynamics.lagrange import body
+from kitemj.errors import InputError
+from kitemj.physics.frames import R_1E, Angles
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.steering import rest_ell
+from kitemj.stability.linearise import Linear, linearise, state_matrix
+from kitemj.stability.minimal import held, minimal, state_of
+from kitemj.stability.trim import standing
+from kitemj.stability.vary import check_range, unit_of, with_value
+
+Array = NDArray[np.float64]
+
+POINTS = 81
+"""Of a range in which changes of stability are looked for."""
+SHARE = 0.01
+"""Of a mode's kinetic energy; a motion with more of it is named: on long lines 1 % is much yaw."""
+MOTIONS = ("sway", "heave", "roll", "pitch", "yaw")
+"""G sideways; G within the plane of symmetry; turns about x_B, y_B, z_B."""
+
+
+class Mode(NamedTuple):
+    """One real eigenvalue, or a pair λ = real ± i imag [1/s].
+
+    `frequency` [Hz] = imag/2π; `damping` = -real/|λ|; `time_constant` [s] = 1/|real|;
+    `error` [1/s]: what λ is uncertain by for the shown error of A. `name`: what moves, most
+    first, and how; `shares` of the kinetic energy in the order of `MOTIONS`.
+    """
+
+    real: float
+    imag: float
+    frequency: float
+    damping: float
+    time_constant: float
+    error: float
+    name: str
+    shares: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Stability:
+    """The linear system, its modes (least stable first), and the V_ref [m/s] it holds for."""
+
+    linear: Linear
+    modes: list[Mode]
+    V_ref: float | None
+
+    @property
+    def stable(self) -> bool:
+        """Whether every disturbance dies out."""
+        return self.modes[0].real < 0
+
+
+class Crossing(NamedTuple):
+    """Where a parameter takes or gives stability.
+
+    `value` in the parameter's `unit`; `omega` [rad/s] and `frequency` [Hz] of the mode there
+    (0: it leaves without swinging); `above`: whether the kite is stable above `value`.
+    """
+
+    parameter: str
+    value: float
+    unit: str
+    omega: float
+    frequency: float
+    mode: str
+    above: bool
+    model: str
+
+
+def stability(
+    parameters: Parameters,
+    ell: float | None = None,
+    delta: float = 0.0,
+    model: str = "lagrange",
+    source: str = "parameters",
+) -> Stability:
+    """The linear system and modes about the equilibrium of least α, lines held.
+
+    `ell` [m] (None: ℓ₀), `delta` [rad]. Raises InputError where there is no equilibrium.
+    """
+    x0 = standing(parameters, ell, delta, source)
+    control = held(_ell(parameters, ell), delta)
+    linear = linearise(minimal(model, parameters), x0, control)
+    V_ref = getattr(parameters.aero, "V_ref", None)
+    return Stability(linear, modes(parameters, linear), V_ref)
+
+
+def modes(parameters: Parameters, linear: Linear) -> list[Mode]:
+    """The modes of `linear`, least stable first; a pair of eigenvalues is one mode."""
+    values, vectors = np.linalg.eig(linear.A)
+    rows = np.linalg.pinv(vectors)  # left eigenvectors; also where two modes coincide
+    found = []
+    for i in np.argsort(-values.real):
+        if values[i].imag < 0:
+            continue
+        r = vectors[:, i]
+        error = np.abs(rows[i]) @ linear.A_error @ np.abs(r)
+        shares = energy_shares(parameters, linear, r)
+        found.append(_mode(complex(values[i]), float(error), shares))
+    return found
+
+
+def growth(
+    parameters: Parameters,
+    ell: float | None = None,
+    delta: float = 0.0,
+    model: str = "lagrange",
+) -> complex:
+    """The least stable eigenvalue [1/s], imag >= 0; raises InputError without equilibrium."""
+    x0 = standing(parameters, ell, delta)
+    control = held(_ell(parameters, ell), delta)
+    values = np.linalg.eigvals(state_matrix(minimal(model, parameters), x0, control))
+    worst = complex(values[np.argmax(values.real)])
+    return complex(worst.real, abs(worst.imag))
+
+
+def crossings(
+    parameters: Parameters,
+    name: str,
+    low: float,
+    high: float,
+    ell: float | None = None,
+    delta: float = 0.0,
+    model: str = "lagrange",
+) -> list[Crossing]:
+    """Every value of the parameter `name` in [`low`, `high`] at which stability changes.
+
+    Looked for between `POINTS` values, so that two changes closer than the range over 80 can
+    be missed; each is then found to 12 digits by Brent's method on the largest real part.
+    With `ell` None, ℓ₀ follows the length of the lines. Raises InputError for an unknown
+    name, a range no set may have, and a range with no change or no equilibrium in it.
+    """
+    check_range(parameters, name, low, high)
+
+    def real(value: float) -> float:
+        return growth(with_value(parameters, name, value), ell, delta, model).real
+
+    def real_or_nan(value: float) -> float:
+        try:
+            return real(value)
+        except InputError:
+            return float("nan")
+
+    grid = np.linspace(low, high, POINTS)
+    reals = np.array([real_or_nan(float(value)) for value in grid])
+    changes = [
+        i
+        for i in np.flatnonzero((reals[:-1] < 0) != (reals[1:] < 0))
+        if np.isfinite(reals[i : i + 2]).all()
+    ]
+    if not changes:
+        raise _no_change(parameters, name, grid, reals)
+    found = []
+    for i in changes:
+        value = float(brentq(real, grid[i], grid[i + 1], xtol=1e-13, rtol=1e-12))
+        there = with_value(parameters, name, value)
+        x0, control = standing(there, ell, delta), held(_ell(there, ell), delta)
+        least = modes(there, linearise(minimal(model, there), x0, control))[0]
+        unit, above = unit_of(parameters, name), bool(reals[i + 1] < 0)
+        omega, what = least.imag, least.name.rsplit(" ", 1)[0]
+        mode = f"{what} {'swing' if omega > 0 else 'drift'}"
+        found.append(Crossing(name, value, unit, omega, omega / (2 * pi), mode, above, model))
+    return found
+
+
+def _ell(parameters: Parameters, ell: float | None) -> float:
+    return rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
+
+
+def _no_change(parameters: Parameters, name: str, grid: Array, reals: Array) -> InputError:
+    unit = f" {unit_of(parameters, name)}".rstrip()
+    where = f"for {name} from {grid[0]:g} to {grid[-1]:g}{unit}"
+    known = np.isfinite(reals)
+    if not known.any():
+        return InputError(f"there is no equilibrium {where}; give another range")
+    what = "stable" if (reals[known] < 0).all() else "unstable"
+    if (reals[known] < 0).any() and (reals[known] >= 0).any():
+        what = "stable in part and unstable in part, with no equilibrium between,"
+    missing = "" if known.all() else f" wherever it stands ({np.sum(known)} of {POINTS} values)"
+    return InputError(
+        f"the equilibrium is {what}{missing} {where}: no stability is lost (largest real part "
+        f"{np.nanmin(reals):.4g} to {np.nanmax(reals):.4g} 1/s); give another --range"
+    )
+
+
+def _mode(value: complex, error: float, shares: tuple[float, ...]) -> Mode:
+    order = np.argsort(-np.array(shares))
+    real, imag, size = value.real, abs(value.imag), abs(value)
+    how = "swing" if imag > 0 else "decay" if real < 0 else "growth"
+    what = " + ".join(MOTIONS[i] for i in order if shares[i] >= SHARE)
+    return Mode(
+        real,
+        imag,
+        imag / (2 * pi),
+        -real / size if size else 0.0,
+        1 / abs(real) if real else float("inf"),
+        error,
+        f"{what} {how}",
+        shares,
+    )
+
+
+def energy_shares(
+    parameters: Parameters, linear: Linear, vector: NDArray[np.complex128]
+) -> tuple[float, ...]:
+    """Parts of the kinetic energy of the motion q = `vector`[:4], in the order of `MOTIONS`.
+
+    Products of inertia are left out; sideways is along y_1, across the plane of the lines.
+    """
+    kite, (q, _) = parameters.kite, state_of(linear.x0)
+    sideways = np.array(R_1E(q.phi, q.gamma).y)
+    energy = np.zeros(5)
+    for part in (vector[:4].real, vector[:4].imag):
+        moved = body(parameters, q, Angles(*map(float, part)), linear.control)
+        v, w = np.array(moved.v_G_E), moved.omega_B
+        across = float(sideways @ v)
+        energy += (
+            kite.mass * across**2,
+            kite.mass * (float(v @ v) - across**2),
+            kite.inertia_x * w.x**2,
+            kite.inertia_y * w.y**2,
+            kite.inertia_z * w.z**2,
+        )
+    return tuple((energy / energy.sum()).tolist())

@@ -1,0 +1,95 @@
+"""One round of a closed orbit: its motions, and the range of what people ask about."""
+
+from math import atan2, hypot
+from typing import NamedTuple
+
+import numpy as np
+
+from kitemj.dynamics.motion import Motion, Pair, air_of
+from kitemj.physics.frames import Angles
+from kitemj.physics.steering import Control, line_motion
+from kitemj.stability.minimal import Array, Minimal, steps_for
+
+SAMPLES = 480
+"""Of one period; extremes are those of parabolas through three neighbours."""
+
+
+class Range(NamedTuple):
+    """Least and largest value; `swing` is half of what lies between."""
+
+    low: float
+    high: float
+
+    @property
+    def swing(self) -> float:
+        """(high - low)/2."""
+        return 0.5 * (self.high - self.low)
+
+
+class Orbit(NamedTuple):
+    """`motions`: `SAMPLES` + 1 from one end of the period to the other; ranges over it.
+
+    q, α, β, elevation and azimuth of G seen from O_E (positive to the pilot's left) in rad;
+    `x_E`, `y_E`, `height` of G in m; `airspeed`, `speed` of G in m/s; tensions in N, of
+    either line and of both together.
+    """
+
+    motions: list[Motion]
+    phi: Range
+    gamma: Range
+    eta: Range
+    theta: Range
+    alpha: Range
+    beta: Range
+    elevation: Range
+    azimuth: Range
+    x_E: Range
+    y_E: Range
+    height: Range
+    airspeed: Range
+    speed: Range
+    tension_plus: Range
+    tension_minus: Range
+    tension_both: Range
+
+
+def orbit(kite: Minimal, x: Array, period: float, control: Control) -> Orbit:
+    """The round from `x` (8,) of `period` [s], flown by `kite` with `control` held."""
+    h = period / SAMPLES
+    steps = steps_for(h)
+    motions = [motion(kite, x, 0.0, control)]
+    for i in range(1, SAMPLES + 1):
+        x = kite.flow(x, control, h, steps)
+        motions.append(motion(kite, x, i * h, control))
+    return Orbit(motions, *(range_of(column) for column in np.array(list(map(_row, motions))).T))
+
+
+def motion(kite: Minimal, x: Array, t: float, control: Control) -> Motion:
+    """The motion of `kite` at `x` (8,)."""
+    _, tensions, body = kite.answer(x, control)
+    y_A = kite.parameters.kite.y_A
+    lengths = Pair(*(line_motion(y_A, control, side).length for side in (1.0, -1.0)))
+    air = air_of(kite.parameters, body, 0.0)
+    return Motion(t, Angles(*map(float, x[:4])), body, control, lengths, tensions, air)
+
+
+def range_of(values: Array) -> Range:
+    """Least and largest of a periodic signal sampled evenly, both ends of the period given."""
+    return Range(-_peak(-values[:-1]), _peak(values[:-1]))
+
+
+def _peak(values: Array) -> float:
+    """The top of the parabola through the largest value and its neighbours."""
+    i = int(np.argmax(values))
+    a, b, c = values[i - 1], values[i], values[(i + 1) % len(values)]
+    bend = a - 2 * b + c
+    return float(b - (a - c) ** 2 / (8 * bend)) if bend < 0 else float(b)
+
+
+def _row(motion: Motion) -> list[float]:
+    """In the order of `Orbit`, without the motions."""
+    p, v, T = motion.body.p_G_E, motion.body.v_G_E, motion.tensions
+    elevation, azimuth = atan2(-p.z, hypot(p.x, p.y)), atan2(p.y, -p.x)
+    speed = hypot(v.x, v.y, v.z)
+    angles = [*motion.q, motion.air.alpha, motion.air.beta, elevation, azimuth]
+    return [*angles, p.x, p.y, -p.z, motion.air.speed, speed, *T, T.plus + T.minus]

@@ -1,0 +1,61 @@
+"""Tables printed for people and written as JSON, CSV or Parquet, by the file's name."""
+
+import csv
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from kitemj.errors import InputError
+from kitemj.flight.output import new_file
+from kitemj.stability.tables import Cell, Table
+
+FORMATS = (".json", ".csv", ".parquet")
+WIDE = 8
+"""Columns that fit side by side in a terminal."""
+
+
+def check_format(path: Path) -> None:
+    """Raises InputError for a name that says no known format."""
+    if path.suffix.lower() not in FORMATS:
+        raise InputError(f"--output must end in one of {', '.join(FORMATS)}, got {path.name!r}")
+
+
+def print_table(table: Table) -> None:
+    """A wide table is shown on its side: a column for each row."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table as Shown
+
+    wide = len(table.columns) > WIDE
+    shown = Shown(title=table.title, title_justify="left", box=box.SIMPLE, show_header=not wide)
+    if wide:
+        for name, *cells in zip(table.columns, *table.rows, strict=True):
+            shown.add_row(name, *(_text(cell) for cell in cells))
+    else:
+        for name in table.columns:
+            shown.add_column(name)
+        for row in table.rows:
+            shown.add_row(*(_text(cell) for cell in row))
+    Console(width=None if Console().is_terminal else 140).print(shown)
+
+
+def _text(cell: Cell) -> str:
+    return f"{cell:.7g}" if isinstance(cell, float) else str(cell)
+
+
+def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrite: bool) -> None:
+    """JSON holds all `tables` and `extra`; CSV and Parquet hold the first table."""
+    kind, first = path.suffix.lower(), tables[0]
+    with new_file(path, overwrite) as part:
+        if kind == ".json":
+            content = {**{table.title: table.records() for table in tables}, **extra}
+            part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+        elif kind == ".csv":
+            with part.open("w", newline="", encoding="utf-8") as file:
+                writer = csv.writer(file, lineterminator="\n")
+                writer.writerows([first.columns, *first.rows])
+        else:
+            from pyarrow import Table as Columns
+            from pyarrow import parquet
+
+            parquet.write_table(Columns.from_pylist(first.records()), part)

@@ -1,0 +1,43 @@
+"""How far from rest: the scaled equations of motion at q̇ = 0, for any model."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.dynamics.lagrange import body
+from kitemj.physics.frames import Angles
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.steering import Control
+from kitemj.stability.minimal import Array, state_of
+
+
+def mass_matrix(parameters: Parameters, x: Array, control: Control) -> Array:
+    """M (4, 4) [kg m²] of the kinetic energy ½ q̇ᵀ M q̇ at `x` (8,) with the lines held."""
+    kite, (q, _) = parameters.kite, state_of(x)
+    columns = []
+    for e in np.eye(4):
+        moving = body(parameters, q, Angles(*map(float, e)), control)
+        columns.append((*moving.v_G_E, *moving.omega_B))
+    J = np.array(columns).T
+    inertia = np.array(
+        [
+            [kite.inertia_x, 0.0, -kite.inertia_xz],
+            [0.0, kite.inertia_y, 0.0],
+            [-kite.inertia_xz, 0.0, kite.inertia_z],
+        ]
+    )
+    M: NDArray[np.float64] = kite.mass * J[:3].T @ J[:3] + J[3:].T @ inertia @ J[3:]
+    return M
+
+
+def residual(parameters: Parameters, x: Array, x_dot: Array, control: Control) -> float:
+    """Largest |M q̈| / (m g ℓ): forces that are left over, in the paper's scaled equations.
+
+    `x_dot` (8,) is what a model answers at `x`. Without gravity the dynamic pressure on the
+    kite takes the weight's place.
+    """
+    kite, air = parameters.kite, parameters.environment
+    force = kite.mass * air.gravity
+    if force == 0.0:
+        force = 0.5 * air.air_density * parameters.wind.speed**2 * kite.area
+    left_over = mass_matrix(parameters, x, control) @ x_dot[4:]
+    return float(np.abs(left_over).max() / (force * control.ell))

@@ -1,0 +1,176 @@
+"""What trim and stability find, as tables: for people, CSV, Parquet and JSON alike.
+
+Every column's name ends in its unit (`_rad` and `_deg` are told apart, 1/s is `_per_s`);
+numbers are not rounded here.
+"""
+
+from math import degrees
+from typing import NamedTuple
+
+from kitemj.stability.cycle import Cycle
+from kitemj.stability.linearise import INPUTS, OUTPUTS, STATES, Linear
+from kitemj.stability.maps import StabilityMap
+from kitemj.stability.modes import MOTIONS, Crossing, Stability
+from kitemj.stability.orbit import Orbit
+from kitemj.stability.trim import Trim
+
+Cell = float | str | bool
+
+
+class Table(NamedTuple):
+    """`title` for people; one name a column; rows as long as `columns`."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: list[tuple[Cell, ...]]
+
+    def records(self) -> list[dict[str, Cell]]:
+        """A dictionary for each row, as JSON has them."""
+        return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
+
+
+def v_ref_note(V_ref: float | None) -> str:
+    """The convention that moves the threshold of C_lβ by half, in one sentence; or nothing."""
+    if V_ref is None:
+        return ""
+    return (
+        f"rates are scaled by aero.V_ref = {V_ref:g} m/s, a fixed number of the set that does "
+        f"not follow the wind"
+    )
+
+
+def trim_table(trims: list[Trim]) -> Table:
+    """A row for each equilibrium and model."""
+    columns = (
+        "model",
+        "alpha_deg",
+        "beta_deg",
+        "phi_rad",
+        "gamma_rad",
+        "eta_rad",
+        "theta_rad",
+        "elevation_deg",
+        "azimuth_deg",
+        "height_m",
+        "tension_plus_N",
+        "tension_minus_N",
+        "ell_m",
+        "delta_rad",
+        "residual",
+    )
+    rows: list[tuple[Cell, ...]] = [
+        (
+            trim.model,
+            degrees(trim.alpha),
+            degrees(trim.beta),
+            *trim.q,
+            degrees(trim.elevation),
+            degrees(trim.azimuth),
+            trim.height,
+            *trim.tensions,
+            trim.ell,
+            trim.delta,
+            trim.residual,
+        )
+        for trim in trims
+    ]
+    return Table("equilibria", columns, rows)
+
+
+def mode_table(found: Stability) -> Table:
+    """A row for each mode, least stable first."""
+    columns = (
+        "model",
+        "mode",
+        "real_per_s",
+        "imag_rad_per_s",
+        "frequency_Hz",
+        "damping",
+        "time_constant_s",
+        "error_per_s",
+        *(f"share_{motion}" for motion in MOTIONS),
+    )
+    rows: list[tuple[Cell, ...]] = [
+        (
+            found.linear.model,
+            mode.name,
+            mode.real,
+            mode.imag,
+            mode.frequency,
+            mode.damping,
+            mode.time_constant,
+            mode.error,
+            *mode.shares,
+        )
+        for mode in found.modes
+    ]
+    return Table("modes", columns, rows)
+
+
+def crossing_table(found: list[Crossing]) -> Table:
+    """A row for each change of stability."""
+    columns = ("model", "parameter", "value", "unit", "omega_rad_per_s", "frequency_Hz", "mode")
+    rows: list[tuple[Cell, ...]] = [
+        (
+            c.model,
+            c.parameter,
+            c.value,
+            c.unit,
+            c.omega,
+            c.frequency,
+            c.mode,
+            "above" if c.above else "below",
+        )
+        for c in found
+    ]
+    return Table("changes of stability", (*columns, "stable"), rows)
+
+
+def map_table(found: StabilityMap) -> Table:
+    """A row for each point; not-a-number where there is no equilibrium."""
+    columns = (found.x.name, found.y.name, "real_per_s", "imag_rad_per_s")
+    return Table("stability map", columns, list(found.rows()))
+
+
+def cycle_table(found: Cycle) -> Table:
+    """A row for each quantity of the cycle: least, largest, and half of what lies between."""
+    orbit, rows = found.orbit, list[tuple[Cell, ...]]()
+    for name in Orbit._fields[1:]:
+        span, unit = getattr(orbit, name), _UNITS.get(name, "deg")
+        low, high = map(degrees, span) if unit == "deg" else span
+        rows.append((found.model, name, unit, low, high, 0.5 * (high - low)))
+    title = f"cycle of {found.period:.6g} s"
+    return Table(title, ("model", "quantity", "unit", "low", "high", "swing"), rows)
+
+
+def multiplier_table(found: Cycle) -> Table:
+    """The Floquet multipliers, largest first; the last one would be 1 without rounding."""
+    rows: list[tuple[Cell, ...]] = [
+        (found.model, float(m.real), float(m.imag), float(abs(m))) for m in found.multipliers
+    ]
+    return Table("Floquet multipliers", ("model", "real", "imag", "size"), rows)
+
+
+def matrices(linear: Linear) -> dict[str, object]:
+    """A, B, C, D, their uncertainties and the names of rows and columns, as JSON has them."""
+    names = ("A", "B", "C", "D", "A_error", "B_error", "C_error", "D_error", "x0", "y0")
+    return {
+        "model": linear.model,
+        "states": list(STATES),
+        "inputs": list(INPUTS),
+        "outputs": list(OUTPUTS),
+        "u0": list(linear.control),
+        **{name: getattr(linear, name).tolist() for name in names},
+    }
+
+
+_UNITS = {
+    "x_E": "m",
+    "y_E": "m",
+    "height": "m",
+    "airspeed": "m/s",
+    "speed": "m/s",
+    "tension_plus": "N",
+    "tension_minus": "N",
+    "tension_both": "N",
+}

@@ -1,0 +1,244 @@
+"""Equilibria of a set in a steady wind with the lines held, by any of the three models.
+
+No guess is asked for. With equal lines the symmetric equilibria come from one scalar
+equation (`kitemj.flight.equilibrium`), which finds every one, those with δ ≠ 0 by leading
+these there, and those to the side of either by following a curve through them
+(`kitemj.stability.equilibrium_search`). The model then solves q̈(q, 0) = 0 itself.
+"""
+
+from math import atan2, degrees, hypot, isfinite
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.dynamics.lagrange_kite import motion_at
+from kitemj.dynamics.motion import Pair, State, air_of
+from kitemj.errors import InputError
+from kitemj.flight.equilibrium import check_steady, no_equilibrium, symmetric_equilibria
+from kitemj.flight.validity import Ending, departure_at, touches_ground
+from kitemj.physics.frames import Angles
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.steering import Control, Programme, Segment, Sines, control, rest_ell
+from kitemj.stability.equilibrium_search import beside
+from kitemj.stability.minimal import Minimal, held, minimal, state_of
+from kitemj.stability.scaled import residual
+
+MODELS = ("lagrange", "newton-euler", "mujoco")
+SAME = 1e-6
+"""rad; two equilibria closer than this are one."""
+RESIDUAL = 1e-10
+"""Largest left-over of the scaled equations in what counts as an equilibrium."""
+DIFFERENCE = 1e-4
+"""rad; of the Jacobian in Newton's iterations."""
+STEPS = 20
+"""Steps from δ = 0 to the asked δ."""
+
+NAMES = {
+    Ending.SLACK: "a line would have to push",
+    Ending.STALL: "the angle of attack is outside 0 < alpha < alpha_stall",
+    Ending.SIDESLIP: "the sideslip angle is beyond beta_max",
+    Ending.GROUND: "the kite would stand on the ground",
+}
+
+
+class Trim(NamedTuple):
+    """One equilibrium, by one model.
+
+    `q`, `alpha`, `beta` [rad]; `elevation`, `azimuth` [rad] of G seen from O_E, the azimuth
+    positive to the pilot's left; `height` of G [m]; `tensions` [N]; `residual`: what is left
+    over of the scaled equations (`kitemj.stability.scaled`); `ell` [m], `delta` [rad] as held.
+    """
+
+    model: str
+    q: Angles
+    alpha: float
+    beta: float
+    elevation: float
+    azimuth: float
+    height: float
+    tensions: Pair
+    residual: float
+    ell: float
+    delta: float
+
+    @property
+    def state(self) -> State:
+        """The equilibrium as a start."""
+        return State(self.q, Angles(0.0, 0.0, 0.0, 0.0))
+
+    @property
+    def control(self) -> Control:
+        """The lines, held."""
+        return held(self.ell, self.delta)
+
+
+def equilibria(
+    parameters: Parameters,
+    ell: float | None = None,
+    delta: float = 0.0,
+    model: str = "lagrange",
+    source: str = "parameters",
+) -> list[Trim]:
+    """Every equilibrium within the limits of validity, symmetric ones first, by ascending α.
+
+    `ell` [m] (None: ℓ₀, both lines `lines.length` long) and `delta` [rad] are held. Raises
+    InputError, with one sentence that names `source`, where there is none, for a wind with
+    gusts or of 0 m/s, and for an unknown model.
+    """
+    ell = rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
+    check_steady(parameters, source)
+    if abs(delta) >= 1.5:
+        raise InputError(f"delta must be within +-1.5 rad, got {delta} rad ({source})")
+    kite = minimal(model, parameters)
+    straight = [
+        np.array([parameters.wind.azimuth, e.gamma, 0.0, e.theta])
+        for e in symmetric_equilibria(parameters, ell)
+    ]
+    lines = held(ell, delta)
+    if delta != 0.0:
+        straight = [q for q in (_steered(parameters, ell, delta, q) for q in straight) if q.size]
+    further = [q for known in straight for q in beside(parameters, lines, known)]
+    found: list[Trim] = []
+    fault = ""
+    for q in [*straight, *further]:
+        trim = solved(kite, q, lines)
+        if trim is None or any(_same(trim, other) for other in found):
+            continue
+        reason = unphysical(parameters, trim.state, lines)
+        if reason:
+            fault = fault or _told(trim, reason)
+        else:
+            found.append(trim)
+    if found:
+        return found
+    if delta == 0.0 and not straight:
+        raise no_equilibrium(parameters, ell, source)
+    if fault:
+        raise InputError(f"there is no physical equilibrium ({source}): {fault}")
+    if delta == 0.0:
+        raise InputError(
+            f"the model {model} does not come to rest at the equilibrium within {RESIDUAL:g} of "
+            f"the weight ({source}); ask another model"
+        )
+    raise InputError(
+        f"no equilibrium was found with delta = {delta:g} rad in a wind of "
+        f"{parameters.wind.speed:g} m/s ({source}); hold a smaller delta"
+    )
+
+
+def lines_held(parameters: Parameters, programme: Programme) -> tuple[float | None, float]:
+    """(ℓ [m], δ [rad]) about which `programme` swings; of other programmes, those at t = 0.
+
+    ℓ is None where it is ℓ₀, so that it follows `lines.length` when that is varied.
+    """
+    c = control(programme, 0.0)
+    ell, delta = (programme[:2]) if isinstance(programme, Sines) else (c.ell, c.delta)
+    rest = rest_ell(parameters.lines.length, parameters.kite.y_A)
+    return (None if ell == rest else float(ell)), float(delta)
+
+
+def standing(
+    parameters: Parameters, ell: float | None = None, delta: float = 0.0, source: str = "parameters"
+) -> NDArray[np.float64]:
+    """x (8,) = (q, 0) of the equilibrium of least α; what stability is asked about.
+
+    Fast: with δ = 0 from the scalar equation alone, else led from there to δ. Raises
+    InputError where there is none.
+    """
+    ell = rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
+    check_steady(parameters, source)
+    found = symmetric_equilibria(parameters, ell)
+    if not found:
+        raise no_equilibrium(parameters, ell, source)
+    q = np.array([parameters.wind.azimuth, found[0].gamma, 0.0, found[0].theta])
+    if delta != 0.0:
+        q = _steered(parameters, ell, delta, q)
+        if not q.size:
+            raise InputError(
+                f"the equilibrium is lost before delta = {delta:g} rad is reached ({source}); "
+                f"hold a smaller delta"
+            )
+    x = np.concatenate((q, np.zeros(4)))
+    reason = unphysical(parameters, state_of(x), held(ell, delta))
+    if reason:
+        raise InputError(f"there is no physical equilibrium ({source}): {reason}")
+    return x
+
+
+def solved(kite: Minimal, start: NDArray[np.float64], control: Control) -> Trim | None:
+    """The model's own equilibrium next to `start` (4,) [rad], by Newton's method.
+
+    None where it does not reach `RESIDUAL`.
+    """
+
+    def q_ddot(q: NDArray[np.float64]) -> NDArray[np.float64]:
+        return kite.answer(np.concatenate((q, np.zeros(4))), control).x_dot[4:]
+
+    q = best = start
+    least = np.inf
+    for _ in range(8):
+        f = q_ddot(q)
+        size = float(np.abs(f).max())
+        if not size < least:
+            break
+        best, least = q, size
+        steps = DIFFERENCE * np.eye(4)
+        J = np.column_stack([(q_ddot(q + e) - q_ddot(q - e)) / (2 * DIFFERENCE) for e in steps])
+        if not np.isfinite(J).all() or np.linalg.matrix_rank(J) < 4:
+            break
+        q = q - np.linalg.solve(J, f)
+    trim = trim_at(kite, best, control)
+    return trim if trim.residual <= RESIDUAL else None
+
+
+def trim_at(kite: Minimal, q: NDArray[np.float64], control: Control) -> Trim:
+    """What there is to tell of the equilibrium at `q` (4,) [rad]."""
+    x = np.concatenate((q, np.zeros(4)))
+    answer = kite.answer(x, control)
+    p, air = answer.body.p_G_E, air_of(kite.parameters, answer.body, 0.0)
+    return Trim(
+        kite.name,
+        Angles(*map(float, q)),
+        air.alpha,
+        air.beta,
+        atan2(-p.z, hypot(p.x, p.y)),
+        atan2(p.y, -p.x),
+        -p.z,
+        answer.tensions,
+        residual(kite.parameters, x, answer.x_dot, control),
+        control.ell,
+        control.delta,
+    )
+
+
+def unphysical(parameters: Parameters, state: State, control: Control) -> str:
+    """Why no kite can stand at `state` with the lines held; empty: it can."""
+    motion = motion_at(parameters, Segment(0.0, control), 0.0, state)
+    departure = departure_at(parameters, motion)
+    if departure:
+        return f"{NAMES[departure.ending]} ({departure.reading})"
+    return NAMES[Ending.GROUND] if touches_ground(parameters, motion) else ""
+
+
+def _steered(
+    parameters: Parameters, ell: float, delta: float, q: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The equilibrium `q` (4,) at δ = 0 led to `delta` [rad]; empty where it is lost."""
+    kite = minimal("lagrange", parameters)
+    for part in np.linspace(0.0, 1.0, STEPS + 1)[1:]:
+        trim = solved(kite, q, held(ell, float(part) * delta))
+        if trim is None or not all(map(isfinite, trim.q)):
+            return np.empty(0)
+        q = np.array(trim.q)
+    return q
+
+
+def _same(a: Trim, b: Trim) -> bool:
+    turn = (np.subtract(a.q, b.q) + np.pi) % (2 * np.pi) - np.pi
+    return bool(np.abs(turn).max() < SAME)
+
+
+def _told(trim: Trim, reason: str) -> str:
+    elevation, alpha = degrees(trim.elevation), degrees(trim.alpha)
+    return f"at elevation {elevation:.2f} deg, alpha {alpha:.2f} deg, {reason}"
