@@ -13,7 +13,7 @@ MAY_IMPORT = {
     "studies": {"physics", "dynamics", "flight", "studies"},
     "stability": {"physics", "dynamics", "flight", "stability"},
     "cockpit": {"physics", "dynamics", "flight", "cockpit"},
-    "commands": {"physics", "dynamics", "flight", "studies", "cockpit", "commands"},
+    "commands": {"physics", "dynamics", "flight", "studies", "stability", "cockpit", "commands"},
 }
 SHARED = {"errors", "model_files", "mujoco_import"}
 FORMULATIONS = {
