@@ -8,14 +8,17 @@ tick and its numbers say exactly what was flown. The way is found anew at each t
 from functools import cache
 from typing import Any
 
+from ruckig import InputParameter, Ruckig, RuckigError, Synchronization, Trajectory
+
 from kitemj.physics.parameters import StickLimits
 from kitemj.physics.steering import Control, Segment
+
+NUDGE = 1 + 1e-9
+"""What the planner is given in place of a limit that it stumbles over; the result is cut."""
 
 
 @cache
 def _planner() -> tuple[Any, Any, Any]:
-    from ruckig import InputParameter, Ruckig, Synchronization, Trajectory
-
     wish = InputParameter(2)
     wish.synchronization = Synchronization.No
     return Ruckig(2), wish, Trajectory(2)
@@ -45,7 +48,12 @@ def shaped(
     ]
     wish.max_velocity = [limits.delta_dot, limits.ell_dot]
     wish.max_acceleration = [limits.delta_ddot, limits.ell_ddot]
-    planner.calculate(wish, way)
+    try:
+        planner.calculate(wish, way)
+    except RuckigError:
+        # a state exactly on the braking parabola can fall between its cases by rounding
+        wish.max_acceleration = [NUDGE * limits.delta_ddot, NUDGE * limits.ell_ddot]
+        planner.calculate(wish, way)
     _, (delta_dot, ell_dot), _ = way.at_time(tick)
     return Segment(
         start,

@@ -105,3 +105,14 @@ def test_control_of_sines_has_the_derivatives_of_its_sines():
     before, after = control(MOVING, t - H), control(MOVING, t + H)
     assert c.delta_dot == pytest.approx((after.delta - before.delta) / (2 * H), abs=1e-7)
     assert c.ell_ddot == pytest.approx((after.ell_dot - before.ell_dot) / (2 * H), abs=1e-7)
+
+
+def test_shaping_survives_states_on_the_braking_parabola():
+    """From rest to a held target with these limits the planner alone fails at tick 58."""
+    sport = parameter_set("sport")
+    limits, rest = sport.stick._replace(delta_ddot=5.0), rest_ell(25.0, sport.kite.y_A)
+    now = Control(rest, 0.0, 0.0, 0.0, 0.0, 0.0)
+    for k in range(200):
+        segment = shaped(limits, now, k * TICK, TICK, limits.delta, rest, rest)
+        now = segment_control(segment, (k + 1) * TICK)
+    assert now.delta == pytest.approx(limits.delta, abs=limits.delta_ddot * TICK**2 / 4)
