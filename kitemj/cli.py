@@ -5,11 +5,11 @@ import time
 from collections.abc import Sequence
 from importlib.metadata import version
 
-from kitemj.commands import compare, film, fly, simulate
+from kitemj.commands import compare, film, fly, info, replay, simulate, stability, sweep, trim
 from kitemj.commands.words import Parser
 from kitemj.errors import FlightError, InputError, NoGraphics
 
-COMMANDS = (fly, simulate, compare, film)
+COMMANDS = (fly, simulate, compare, film, replay, info, trim, stability, sweep)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

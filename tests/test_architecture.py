@@ -12,8 +12,18 @@ MAY_IMPORT = {
     "flight": {"physics", "dynamics", "flight"},
     "studies": {"physics", "dynamics", "flight", "studies"},
     "stability": {"physics", "dynamics", "flight", "stability"},
-    "cockpit": {"physics", "dynamics", "flight", "cockpit"},
-    "commands": {"physics", "dynamics", "flight", "studies", "stability", "cockpit", "commands"},
+    "recording": {"physics", "dynamics", "flight", "recording"},
+    "cockpit": {"physics", "dynamics", "flight", "recording", "cockpit"},
+    "commands": {
+        "physics",
+        "dynamics",
+        "flight",
+        "studies",
+        "stability",
+        "recording",
+        "cockpit",
+        "commands",
+    },
 }
 SHARED = {"errors", "model_files", "mujoco_import"}
 FORMULATIONS = {

@@ -31,6 +31,10 @@ HAZE = 24  # steps of colour from meadow to horizon
 SUN = (-0.36, 0.36, -0.86)  # W, where its light goes
 AMBIENT = 0.55
 RINGS = 6
+RING_NEAR, RING_FAR = 0.006, 0.016  # half the width of a ring in steps
+RING_BAND = 4  # width of the textured band in widths of the ring
+RING_TEXELS = 64
+RING_ALPHA = 0.95  # below 1, or the engine does not blend
 SKY = 64  # texels of one side of the sky's cube
 
 
@@ -120,13 +124,33 @@ def _sky_colour(sine: NDArray[np.float64]) -> NDArray[np.uint8]:
 
 
 def _add_rings(spec: Any, length: float) -> None:
+    """White rings as bands of a texture that is clear beside the line.
+
+    Where a ring is thinner than a pixel the texture's smaller copies make it faint; plain
+    white meshes break into dashes there.
+    """
     step = ring_step(length)
+    line = np.zeros((4, RING_TEXELS, 4), np.uint8)
+    line[:, :, :3] = 255
+    core = RING_TEXELS // (2 * RING_BAND)
+    line[:, RING_TEXELS // 2 - core : RING_TEXELS // 2 + core, 3] = 255
+    _add_texture(spec, "ring", mujoco.mjtTexture.mjTEXTURE_2D, line)
     lift = [0.0, 0.0, 0.0006 * length]  # out of the ground's depth rounding
     for k in range(1, RINGS + 1):
-        for size, half in enumerate((0.0025, 0.008)):
+        for size, half in enumerate((RING_NEAR, RING_FAR)):
             name = f"ring_{k}_{size}"
-            _add_mesh(spec, name, _annulus(k * step * (1 - half), k * step * (1 + half)))
-            _add_shape(spec.worldbody, name, rgba=[*WHITE, 1], pos=lift, group=KITE + size)
+            band = RING_BAND * half * step
+            ring = _annulus(k * step - band, k * step + band)
+            across = np.repeat([[0.0, 0.5], [1.0, 0.5]], len(ring.vertices) // 2, axis=0)
+            _add_mesh(spec, name, ring, across)
+            _add_shape(
+                spec.worldbody,
+                name,
+                material="ring",
+                rgba=[*WHITE, RING_ALPHA],
+                pos=lift,
+                group=KITE + size,
+            )
 
 
 def _annulus(inner: float, outer: float) -> Mesh:

@@ -3,20 +3,25 @@
 import os
 from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import Any, Self
 
 import av
 import numpy as np
+from av.filter import Graph
 from numpy.typing import NDArray
 
 from kitemj.errors import InputError
+from kitemj.flight.output import check_new
 
 OPTIONS = {"preset": "veryfast", "crf": "20"}
 CONTAINER = {"movflags": "+faststart"}  # the index in front: plays while it loads
+SUFFIXES = (".mp4", ".gif")
+GIF_RATE = 50
+"""Frames/s, the most that a GIF can have (its clock ticks 100 times a second)."""
 
 
 class Film:
-    """H.264 in mp4 from frames of `width` x `height` pixels at `rate` frames/s.
+    """H.264 in mp4 (or a GIF, by the name) from frames of `width` x `height` px at `rate` a second.
 
     A context manager. However it is left, by an exception and Ctrl-C too, the frames added
     until then make a complete film; without any frame there is none.
@@ -27,24 +32,31 @@ class Film:
     ) -> None:
         """Opens ``<path>.part``; nothing is at `path` before `close`.
 
-        Raises FileExistsError where there is a file and `overwrite` is False, InputError for
-        a size that H.264 cannot have, FileNotFoundError, IsADirectoryError or PermissionError
-        for a place that cannot be written: each with one sentence.
+        Raises InputError, with one sentence, where there is a file and `overwrite` is False,
+        for a place that cannot be written, a kind of film that is not known, and for a size
+        or rate that it cannot have.
         """
         self.path, self.width, self.height, self.frames = Path(path), width, height, 0
-        if width < 2 or height < 2 or width % 2 or height % 2:
-            raise InputError(f"a film of {width} x {height} pixels: both numbers must be even, > 0")
-        if rate < 1:
-            raise InputError(f"a film of {rate} frames/s: at least 1 is needed")
+        check_film(self.path, width, height, rate)
+        check_new(self.path, overwrite)
         self._part = self.path.with_name(self.path.name + ".part")
-        _check_place(self.path, self._part, overwrite)
-        self._container = av.open(
-            str(self._part), "w", format="mp4", container_options=dict(CONTAINER)
-        )
-        self._stream = self._container.add_stream("libx264", rate=rate, options=dict(OPTIONS))
+        try:
+            self._part.touch()
+        except OSError as error:
+            raise InputError(f"cannot write {path}: {error.strerror}; choose another") from None
+        self._graph: Graph | None = None
+        if self.path.suffix.lower() == ".gif":
+            self._container = av.open(str(self._part), "w", format="gif")
+            self._stream: Any = self._container.add_stream("gif", rate=rate)
+            self._stream.pix_fmt = "pal8"
+            self._graph = _palettes(width, height, rate)
+        else:
+            options = dict(CONTAINER)
+            self._container = av.open(str(self._part), "w", format="mp4", container_options=options)
+            self._stream = self._container.add_stream("libx264", rate=rate, options=dict(OPTIONS))
+            self._stream.pix_fmt = "yuv420p"
+            self._stream.thread_type = "AUTO"
         self._stream.width, self._stream.height = width, height
-        self._stream.pix_fmt = "yuv420p"
-        self._stream.thread_type = "AUTO"
         self._open = True
 
     def add(self, frame: NDArray[np.uint8]) -> None:
@@ -56,7 +68,11 @@ class Film:
                 f"a frame of shape {frame.shape}, {frame.dtype}, does not fit the film "
                 f"{self.path}: ({self.height}, {self.width}, 3), uint8, is needed"
             )
-        picture = av.VideoFrame.from_ndarray(frame, format="rgb24")
+        picture: Any = av.VideoFrame.from_ndarray(frame, format="rgb24")
+        if self._graph:
+            picture.pts = self.frames
+            self._graph.push(picture)
+            picture = self._graph.pull()
         self._container.mux(self._stream.encode(picture))
         self.frames += 1
 
@@ -87,21 +103,28 @@ class Film:
         self.close()
 
 
-def _check_place(path: Path, part: Path, overwrite: bool) -> None:
-    """Raises the error that writing there would end with, before any work is done."""
-    folder = path.parent
-    if not folder.is_dir():
-        raise FileNotFoundError(f"cannot write the film {path}: there is no folder {folder}")
-    if path.is_dir():
-        raise IsADirectoryError(f"cannot write the film {path}: it is a folder, name a file in it")
-    if path.exists() and not overwrite:
-        raise FileExistsError(
-            f"the film {path} exists already: choose another name or ask to overwrite it"
-        )
-    try:
-        part.touch()
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise PermissionError(
-            f"cannot write the film {path}: {reason} in {folder}, choose another folder"
-        ) from None
+def check_film(path: Path, width: int, height: int, rate: int) -> None:
+    """Raises InputError for a name, a size [px] or a rate [1/s] that no film can have."""
+    kind = path.suffix.lower()
+    if kind not in SUFFIXES:
+        raise InputError(f"a film's name ends with {' or '.join(SUFFIXES)}, got {path.name}")
+    if width < 2 or height < 2 or width % 2 or height % 2:
+        raise InputError(f"a film of {width} x {height} pixels: both numbers must be even, > 0")
+    if rate < 1 or (kind == ".gif" and rate > GIF_RATE):
+        limit = f"1 to {GIF_RATE}" if kind == ".gif" else "at least 1"
+        raise InputError(f"a film of {rate} frames/s: it must be {limit} (--rate)")
+
+
+def _palettes(width: int, height: int, rate: int) -> Graph:
+    """Gives every frame the 256 colours that suit it best."""
+    graph = Graph()
+    source = graph.add("buffer", f"width={width}:height={height}:pix_fmt=rgb24:time_base=1/{rate}")
+    split, chosen = graph.add("split"), graph.add("palettegen", "stats_mode=single")
+    used, sink = graph.add("paletteuse", "new=1:dither=bayer"), graph.add("buffersink")
+    source.link_to(split)
+    split.link_to(used, 0, 0)
+    split.link_to(chosen, 1, 0)
+    chosen.link_to(used, 0, 1)
+    used.link_to(sink)
+    graph.configure()
+    return graph

@@ -1,52 +1,96 @@
-"""A scenario flown and filmed with no screen, as fast as it goes."""
+"""Flights on film with no screen, as fast as it goes; or one moment of them as a picture."""
 
-from dataclasses import replace
+from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
+from typing import NamedTuple
 
+import pygame
 from rich.progress import track
 
-from kitemj.cockpit.film import Film
-from kitemj.cockpit.picture import Picture, Readings
+from kitemj.cockpit.film import Film, check_film
+from kitemj.cockpit.film_sources import Source
+from kitemj.cockpit.painters import Frame, Painter, Stage, painted, workers_for
 from kitemj.cockpit.screens import FRAME_RATE
-from kitemj.flight.compare import position_gap
-from kitemj.flight.scenario import Scenario
-from kitemj.flight.simulate import simulate
-from kitemj.flight.validity import departure_at
+from kitemj.errors import InputError
+from kitemj.flight.output import check_new, new_file
 
 
-def film_scenario(
-    scenario: Scenario,
-    model: str,
-    step: float,
+class Look(NamedTuple):
+    """How a film looks; `rate` in frames/s, `speed` of the flight on the film."""
+
+    size: tuple[int, int] = (1280, 720)
+    view: str = "chase"
+    instruments: bool = True
+    rate: int = FRAME_RATE
+    speed: float = 1.0
+
+
+def check_output(path: Path, look: Look, still: bool, overwrite: bool) -> None:
+    """Raises InputError for what could not be written, before any work is done."""
+    check_new(path, overwrite)
+    if still and path.suffix.lower() != ".png":
+        raise InputError(f"the name of a still picture ends with .png, got {path.name}")
+    if not still:
+        check_film(path, *look.size, look.rate)
+    if not 0.0 < look.speed <= 1000.0:
+        raise InputError(f"--speed must be > 0 and <= 1000, got {look.speed:g}")
+
+
+def film(
+    sources: Sequence[Source],
     path: Path,
-    size: tuple[int, int],
-    view: str,
-    overwrite: bool,
+    look: Look,
+    start: float = 0.0,
+    end: float | None = None,
+    overwrite: bool = False,
 ) -> None:
-    """Films `model` flying `scenario` with the Lagrangian reference as its ghost.
+    """Films the flights, side by side, from `start` to `end` [s]; a bar shows the time left.
 
-    `size` in pixels; a progress bar on the terminal. Ctrl-C leaves a complete film of what
-    was painted. Raises InputError, FileExistsError or NoGraphics before work is done.
+    Ctrl-C leaves a complete film of what was painted. Raises InputError or NoGraphics.
     """
-    framed = replace(scenario, times=scenario.times._replace(output_interval=1 / FRAME_RATE))
-    with (
-        Picture(scenario.parameters, *size) as picture,
-        Film(path, *size, FRAME_RATE, overwrite) as film,
-    ):
-        flight, ghosts = simulate(framed, model, step), simulate(framed, "lagrange", step).motions
+    longest = max(source.duration for source in sources)
+    end = longest if end is None else min(end, longest)
+    if not 0.0 <= start < end:
+        raise InputError(f"--from must be >= 0 s and before the end at {end:g} s, got {start:g} s")
+    count = int((end - start) / look.speed * look.rate + 1e-6) + 1
+    times = [start + i * look.speed / look.rate for i in range(count)]
+    shots = ([source.shot(t, look.speed) for source in sources] for t in times)
+    frames = painted(_stage(sources, look), shots, workers_for(count))
+    with Film(path, *look.size, look.rate, overwrite) as written:
         try:
-            for i, motion in enumerate(track(flight.motions, description=f"filming {path}")):
-                ghost = ghosts[i] if i < len(ghosts) else None
-                departure = departure_at(scenario.parameters, motion)
-                readings = Readings(
-                    model=model,
-                    gap=position_gap(motion, ghost) if ghost else None,
-                    delta_command=motion.control.delta,
-                    stick="programme",
-                    message=departure.ending.value if departure else "",
-                )
-                film.add(picture.paint(motion, ghost, readings, view))
+            for frame in track(frames, description=f"filming {path}", total=count):
+                written.add(frame)
         except KeyboardInterrupt:
-            print(f"interrupted: {path} holds the first {film.frames / FRAME_RATE:.1f} s")
+            print(f"interrupted: {path} has the first {written.frames} of {count} frames")
             return
-    print(f"{path}: {film.frames} frames; {flight.ending.value}")
+        finally:
+            frames.close()
+    endings = "; ".join(source.ending for source in sources)
+    print(f"{path}: {written.frames} frames; {endings}")
+
+
+def still(
+    sources: Sequence[Source], path: Path, look: Look, t: float, overwrite: bool = False
+) -> None:
+    """The picture at `t` [s] as a PNG file."""
+    longest = max(source.duration for source in sources)
+    if not 0.0 <= t <= longest + 1e-9:
+        raise InputError(f"--still must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")
+    with Painter(_stage(sources, look)) as painter, new_file(path, overwrite) as part:
+        frame = painter.paint([source.shot(t, look.speed) for source in sources])
+        part.write_bytes(_png(frame))
+    print(f"{path}: {t:g} s")
+
+
+def _stage(sources: Sequence[Source], look: Look) -> Stage:
+    parameters = tuple(source.parameters for source in sources)
+    captions = tuple(source.caption for source in sources)
+    return Stage(parameters, captions, look.size, look.view, look.instruments)
+
+
+def _png(frame: Frame) -> bytes:
+    buffer = BytesIO()
+    height, width = frame.shape[:2]
+    pygame.image.save(pygame.image.frombuffer(frame.data, (width, height), "RGB"), buffer, "PNG")
+    return buffer.getvalue()

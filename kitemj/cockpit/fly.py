@@ -9,6 +9,7 @@ from kitemj.cockpit.pacing import Pacer, Timekeeping
 from kitemj.cockpit.picture import Picture, Readings
 from kitemj.cockpit.screens import FRAME_RATE, Screen
 from kitemj.flight.live import TICK, LiveFlight
+from kitemj.recording.recorder import Recorder
 
 
 @dataclass(frozen=True)
@@ -20,6 +21,7 @@ class Summary:
     frames: int
     wall: float
     first_frame: float
+    recording: str = "none"
 
     def __str__(self) -> str:
         """A few lines for people."""
@@ -31,7 +33,8 @@ class Summary:
             f"worst lateness {times.worst * 1e3:.1f} ms\n"
             f"frames       {self.frames}, {self.frames / max(self.wall, 1e-9):.1f} a second, "
             f"the first after {self.first_frame:.1f} s\n"
-            f"largest gap  {gap * 1e6:.3g} µm between the kite and its reference"
+            f"largest gap  {gap * 1e6:.3g} µm between the kite and its reference\n"
+            f"recording    {self.recording}"
         )
         if times.lost:
             text += f"\nlost         {times.lost:.2f} s that the machine did not run"
@@ -44,15 +47,18 @@ def fly(
     screen: Screen,
     duration: float | None = None,
     called: float | None = None,
+    recorder: Recorder | None = None,
 ) -> Summary:
     """Flies until the screen is left, Ctrl-C, or `duration` [s] of wall time have passed.
 
     `called` [s, perf_counter]: since when the first frame is waited for; now, if left out.
+    `recorder` takes every tick, and is closed at the end.
     Raises what ended the physics thread, if anything did, once the screen is closed.
     """
     called = called or time.perf_counter()
     flight.warm_up()
-    pacer = Pacer(flight)
+    pacer = Pacer(flight, recorder)
+    ending, recording = "left by the pilot", "none"
     frames, first, clock = 0, 0.0, pygame.time.Clock()
     picture.paint(pacer.moment.motion, None, Readings(), screen.view)
     pacer.start()
@@ -61,6 +67,7 @@ def fly(
         while pacer.is_alive() and not screen.leaving:
             wall = time.perf_counter() - begun
             if duration is not None and wall >= duration:
+                ending = "as long as was asked"
                 break
             screen.poll()
             pacer.command = screen.stick.command(pacer.moment.motion.t)
@@ -74,15 +81,19 @@ def fly(
         pass  # leaving in a hurry is leaving: the film and the summary are complete
     finally:
         pacer.stop()
+        if recorder:
+            recording = recorder.close(str(pacer.error or ending))
         screen.close()
     if pacer.error:
         raise pacer.error
     wall = time.perf_counter() - begun
-    return Summary(pacer.times.ticks * TICK, pacer.times, frames, wall, first)
+    return Summary(pacer.times.ticks * TICK, pacer.times, frames, wall, first, recording)
 
 
 def _paint(pacer: Pacer, picture: Picture, screen: Screen, wall: float) -> None:
     moment, times = pacer.moment, pacer.times
+    outside = moment.departure.ending.value if moment.departure else ""
+    disk = pacer.recorder.problem if pacer.recorder else ""
     readings = Readings(
         model=pacer.flight.kite.name,
         gap=moment.gap,
@@ -91,6 +102,6 @@ def _paint(pacer: Pacer, picture: Picture, screen: Screen, wall: float) -> None:
         lateness=times.lateness,
         stick=screen.stick.name,
         speed=times.ticks * TICK / wall if wall > 1.0 else 1.0,
-        message=screen.message or (str(moment.departure.ending.value) if moment.departure else ""),
+        message=screen.message or disk or outside,
     )
     screen.show(picture.paint(moment.motion, moment.reference, readings, screen.view), wall)

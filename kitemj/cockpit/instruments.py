@@ -1,37 +1,50 @@
-"""The numbers over the picture: panels of text and bars, painted into the frame itself.
+"""The numbers over the picture: where each instrument has its place, and which are shown.
 
 Red is the pilot's left (A₊), blue the pilot's right (A₋), as on the kite.
 """
 
-from math import atan2, degrees, hypot
+from math import degrees
 from typing import TYPE_CHECKING
 
+import numpy as np
 import pygame
 
-from kitemj.cockpit.lettering import Colour, put, width
+from kitemj.cockpit import strip_chart, wind_window
+from kitemj.cockpit.alarms import alarm_at, loudness, paint_banner
+from kitemj.cockpit.knob import paint_knob
+from kitemj.cockpit.lettering import width
+from kitemj.cockpit.panel import (
+    CALL,
+    DIM,
+    GOOD,
+    LARGE,
+    LEFT,
+    NAME,
+    NOW,
+    NUMBER,
+    RIGHT,
+    TROUGH,
+    WHITE,
+    Panel,
+    box_of,
+)
 from kitemj.cockpit.scene import newtons_per_metre
-from kitemj.dynamics.motion import Motion, attachment_E
+from kitemj.cockpit.strip_chart import paint_chart
+from kitemj.cockpit.tensions import paint_tensions
+from kitemj.cockpit.wind_window import WindWindow, bearing
+from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import norm
 from kitemj.physics.wind import wind_speed
 
 if TYPE_CHECKING:
     from kitemj.cockpit.picture import Readings
 
-WHITE: Colour = (255, 255, 255)
-DIM: Colour = (205, 212, 220)
-LEFT: Colour = (255, 84, 84)
-RIGHT: Colour = (104, 156, 255)
-GOOD: Colour = (120, 220, 120)
-BAD: Colour = (255, 70, 60)
-ALARM: Colour = (190, 30, 24)
-CALL: Colour = (255, 214, 60)
-SHADE: Colour = (70, 78, 90)  # what a panel multiplies the picture with
-TROUGH: Colour = (40, 46, 54)
-NUMBER, NAME = 23, 16  # px of digit height in a frame of 720 rows
+PANELS = ("flight", "air", "window", "chart", "lines", "knob", "model")
 MARGIN = 12
 STRIP = 118  # height of the strip along the bottom
+INSET_FOOT = 240  # where the small view ends, in units
 GAP_UNITS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (0.0, "nm"))  # from this on, in metres
+NO_TRAIL = np.empty((0, 3))
 
 
 class Instruments:
@@ -41,205 +54,191 @@ class Instruments:
         """Sizes follow the height; a frame of 720 rows has them as they are written here."""
         self.parameters, self.width, self.height = parameters, width, height
         self.u = min(height / 720, width / 1280)
+        self._window = WindWindow(parameters)
+        self._boxes = self._layout()
+        self._taken: list[pygame.Rect] = []
 
-    def paint(self, surface: pygame.Surface, motion: Motion, readings: "Readings") -> None:
-        """All panels; the surface is the frame."""
-        self._flight(surface, motion, readings)
-        self._air(surface, motion)
-        top = self.height - STRIP * self.u
-        self._shade(surface, 0, top, self.width, STRIP * self.u)
-        third = self.width / 3
-        self._tensions(surface, motion, 0.0, top, third)
-        self._steering(surface, motion, readings, third, top, third)
-        self._running(surface, readings, 2 * third, top, third)
-        if readings.message:
-            self._banner(surface, readings.message)
-
-    def _flight(self, surface: pygame.Surface, motion: Motion, readings: "Readings") -> None:
-        u, x, y = self.u, MARGIN * self.u, MARGIN * self.u
-        G = motion.body.p_G_E
-        self._shade(surface, x, y, 290 * u, 216 * u)
-        put(surface, f"{motion.t:.1f} s", x + 14 * u, y + 28 * u, 28 * u)
-        put(surface, f"speed ×{readings.speed:.3g}", x + 276 * u, y + 28 * u, NAME * u, DIM, 1)
-        rows = (
-            ("elevation", f"{degrees(atan2(-G.z, hypot(G.x, G.y))):.1f}°"),
-            ("azimuth", _sided(degrees(atan2(G.y, -G.x)))),
-            ("height", f"{-G.z:.1f} m"),
-            ("airspeed", f"{motion.air.speed:.1f} m/s"),
-        )
-        for i, (name, value) in enumerate(rows):
-            row = y + (72 + 38 * i) * u
-            put(surface, name, x + 14 * u, row, NAME * u, DIM)
-            put(surface, value, x + 276 * u, row, NUMBER * u, WHITE, 1)
-
-    def _air(self, surface: pygame.Surface, motion: Motion) -> None:
-        """α and β as marks between their limits."""
-        u, x, y = self.u, MARGIN * self.u, 240 * self.u
-        self._shade(surface, x, y, 290 * u, 124 * u)
-        limits = self.parameters.limits
-        for i, (name, angle, limit) in enumerate(
-            (("α", motion.air.alpha, limits.alpha_stall), ("β", motion.air.beta, limits.beta_max))
-        ):
-            row, beyond = y + (26 + 60 * i) * u, abs(angle) > limit
-            put(surface, name, x + 14 * u, row, NUMBER * u, DIM)
-            put(
-                surface,
-                f"{degrees(angle):.1f}°",
-                x + 150 * u,
-                row,
-                NUMBER * u,
-                BAD if beyond else WHITE,
-                1,
-            )
-            put(surface, f"max {degrees(limit):.0f}°", x + 276 * u, row, NAME * u, DIM, 1)
-            left, wide = x + 14 * u, 262 * u
-            self._bar(surface, left, row + 22 * u, wide, 10 * u, TROUGH)
-            share = min(max(angle / limit, -1.0), 1.0)
-            middle = left + wide / 2
-            start, end = sorted((middle, middle + share * wide / 2))
-            colour = BAD if beyond else GOOD
-            self._bar(surface, start, row + 22 * u, max(end - start, 3 * u), 10 * u, colour)
-            self._bar(surface, middle - u, row + 19 * u, 2 * u, 16 * u, WHITE)
-
-    def _tensions(
-        self, surface: pygame.Surface, motion: Motion, x: float, top: float, wide: float
-    ) -> None:
-        u, ceiling = self.u, self.parameters.limits.tension_max
-        left, room = x + 90 * u, wide - 230 * u
-        put(surface, "LINES", x + MARGIN * u, top + 20 * u, NAME * u, DIM)
-        put(surface, f"max {ceiling:.0f} N", left + room, top + 20 * u, NAME * u, DIM, 1)
-        rows = zip(("left", "right"), (LEFT, RIGHT), (1.0, -1.0), strict=True)
-        for i, (name, colour, side) in enumerate(rows):
-            row = top + (52 + 40 * i) * u
-            tension, length = motion.tensions[i], motion.lengths[i]
-            slack = length - norm(attachment_E(self.parameters, motion.body, side)) > 1e-3
-            put(surface, name, x + MARGIN * u, row, NAME * u, colour)
-            self._bar(surface, left, row - 12 * u, room, 24 * u, TROUGH)
-            share = min(max(tension / ceiling, 0.0), 1.0)
-            over = tension > ceiling
-            self._bar(surface, left, row - 12 * u, share * room, 24 * u, BAD if over else colour)
-            self._bar(surface, left + room - 2 * u, row - 15 * u, 3 * u, 30 * u, WHITE)
-            value = (
-                "SLACK" if slack else f"{tension:.1f} N" if tension < 999.5 else f"{tension:.0f} N"
-            )
-            put(
-                surface,
-                value,
-                x + wide - 8 * u,
-                row,
-                NUMBER * u,
-                CALL if slack else BAD if over else WHITE,
-                1,
-            )
-
-    def _steering(
+    def paint(
         self,
         surface: pygame.Surface,
         motion: Motion,
         readings: "Readings",
-        x: float,
-        top: float,
-        wide: float,
+        shown: set[str],
+        near: bool = True,
     ) -> None:
-        """δ as a bar from the middle towards the hand that pulls; the stick's wish as a mark."""
-        u, limit, delta = self.u, self.parameters.stick.delta, motion.control.delta
-        left, room = x + 30 * u, wide - 60 * u
-        middle, row = x + wide / 2, top + 62 * u
-        pulls = (
-            "RIGHT hand pulls"
-            if delta > 1e-4
-            else "LEFT hand pulls"
-            if delta < -1e-4
-            else "hands level"
-        )
-        colour = RIGHT if delta > 0 else LEFT
-        put(surface, pulls, middle, top + 24 * u, 19 * u, colour if abs(delta) > 1e-4 else DIM, 0.5)
-        self._bar(surface, left, row - 10 * u, room, 20 * u, TROUGH)
-        end = middle + _clipped(delta / limit) * room / 2
-        self._bar(surface, min(middle, end), row - 10 * u, abs(end - middle), 20 * u, colour)
-        self._bar(surface, middle - u, row - 15 * u, 2 * u, 30 * u, WHITE)
-        mark = middle + _clipped(readings.delta_command / limit) * room / 2
-        pygame.draw.polygon(
-            surface,
-            CALL,
-            [(mark, row - 6 * u), (mark - 9 * u, row - 20 * u), (mark + 9 * u, row - 20 * u)],
-        )
-        put(surface, f"δ {degrees(delta):+.2f}°", middle, top + 97 * u, NUMBER * u, WHITE, 0.5)
-        put(surface, f"-{degrees(limit):.1f}°", left, top + 97 * u, NAME * u, DIM)
-        put(surface, f"+{degrees(limit):.1f}°", left + room, top + 97 * u, NAME * u, DIM, 1)
+        """The panels named in `shown`, and what must be seen; the surface is the frame.
 
-    def _running(
-        self, surface: pygame.Surface, readings: "Readings", x: float, top: float, wide: float
+        From `near` the kite is low in the frame, else high: the banner is where it is not.
+        """
+        names, traces = self._on(readings, shown), readings.traces
+        alarm = alarm_at(self.parameters, motion) or (traces.alarm if traces else None)
+        # the panel that alarms comes last, so that its frame lies over its neighbours
+        for name in sorted(names, key=lambda name: loudness(alarm, name)):
+            self._paint_panel(name, surface, motion, readings, loudness(alarm, name))
+        self._taken = [self.box(name) for name in names]
+        banner = paint_banner(surface, self._room(near), self.u, alarm, readings.message, near)
+        self._taken.append(banner)
+
+    def box(self, name: str) -> pygame.Rect:
+        """Where a panel is, or would be, in the frame [px]."""
+        return box_of(self._boxes[name], self.u)
+
+    def taken(self) -> list[pygame.Rect]:
+        """Where in the last frame something is painted [px]."""
+        return list(self._taken)
+
+    def _room(self, near: bool) -> pygame.Rect:
+        """Where the banner may be [px]: between the panels, above or below."""
+        u, foot = self.u, self.height - (STRIP + 10) * self.u
+        left, right = (318, 410) if near else (440, 316)
+        return pygame.Rect(
+            round(left * u),
+            round(MARGIN * u),
+            round(self.width - (left + right) * u),
+            round(foot - MARGIN * u),
+        )
+
+    def _on(self, readings: "Readings", shown: set[str]) -> list[str]:
+        names = [name for name in PANELS if name in shown]
+        traces = readings.traces
+        kept = traces is not None and bool(np.isfinite(traces.lateness).any())
+        if not kept and not readings.missed_ticks and "chart" in names:
+            names.remove("chart")  # nobody keeps time: there is nothing to show
+        return names
+
+    def _layout(self) -> dict[str, tuple[float, float, float, float]]:
+        """x, y [px] and width, height [units] of each panel."""
+        u, left, top = self.u, MARGIN * self.u, self.height - STRIP * self.u
+        right, third = self.width - (292 + MARGIN) * u, self.width / 3
+        chart = INSET_FOOT + wind_window.HEIGHT + MARGIN
+        return {
+            "flight": (left, MARGIN * u, 290, 216),
+            "air": (left, 240 * u, 290, 132),
+            "window": (right, INSET_FOOT * u, wind_window.WIDTH, wind_window.HEIGHT),
+            "chart": (right, chart * u, strip_chart.WIDTH, strip_chart.HEIGHT),
+            "lines": (0.0, top, third / u, STRIP),
+            "knob": (third, top, third / u, STRIP),
+            "model": (2 * third, top, third / u, STRIP),
+        }
+
+    def _paint_panel(
+        self,
+        name: str,
+        surface: pygame.Surface,
+        motion: Motion,
+        readings: "Readings",
+        alarm: int,
     ) -> None:
-        u, right = self.u, x + wide - MARGIN * self.u
-        put(surface, readings.model, x + 24 * u, top + 24 * u, NUMBER * u, WHITE)
-        if readings.stick:
-            put(surface, readings.stick, right, top + 24 * u, 19 * u, DIM, 1)
-        put(surface, "to reference", x + 24 * u, top + 60 * u, NAME * u, DIM)
-        gap = "none" if readings.gap is None else _length(readings.gap)
-        put(surface, gap, right, top + 60 * u, NUMBER * u, WHITE, 1)
-        missed = readings.missed_ticks
-        put(surface, "missed ticks", x + 24 * u, top + 96 * u, NAME * u, DIM)
-        late = f"{missed}   late {1e3 * readings.lateness:.1f} ms" if missed else "0"
-        put(surface, late, right, top + 96 * u, NUMBER * u, BAD if missed else WHITE, 1)
+        panel, p, traces = (
+            Panel(surface, self._boxes[name], self.u),
+            self.parameters,
+            readings.traces,
+        )
+        if name == "window":
+            self._window.paint(panel, motion, traces.trail if traces else NO_TRAIL)
+            return
+        if name == "chart":
+            paint_chart(panel, traces, readings.missed_ticks, readings.lateness)
+            return
+        panel.ground(alarm)
+        if name == "flight":
+            self._flight(panel, motion, readings, alarm)
+        elif name == "air":
+            self._air(panel, motion, alarm)
+        elif name == "lines":
+            paint_tensions(panel, p, motion, alarm)
+        elif name == "knob":
+            paint_knob(panel, motion.control.delta, readings.delta_command, p.stick.delta)
+        else:
+            _model(panel, readings)
 
-    def _banner(self, surface: pygame.Surface, message: str) -> None:
-        u, size = self.u, NUMBER * self.u
-        left, room = 312 * u, self.width - 324 * u
-        size = min(size, size * (room - 40 * u) / max(width(message, size), 1))
-        wide = width(message, size) + 40 * u
-        middle = left + room / 2
-        self._bar(surface, middle - wide / 2, 244 * u, wide, 46 * u, ALARM)
-        put(surface, message, middle, 267 * u, size, WHITE, 0.5)
+    def _flight(self, panel: Panel, motion: Motion, readings: "Readings", alarm: int) -> None:
+        azimuth, elevation = bearing(self.parameters, motion.body.p_G_E)
+        right = panel.width - 14
+        panel.text(f"{motion.t:.1f} s", 14, 28, 28, WHITE)
+        panel.text(f"speed ×{readings.speed:.3g}", right, 28, align=1)
+        rows = (
+            ("elevation", f"{elevation:.1f}°"),
+            ("azimuth", _sided(azimuth)),
+            ("height", f"{-motion.body.p_G_E.z:.1f} m"),
+            ("airspeed", f"{motion.air.speed:.1f} m/s"),
+        )
+        for i, (name, value) in enumerate(rows):
+            grave = alarm == NOW and name == "height"
+            panel.text(name, 14, 72 + 38 * i, colour=WHITE if alarm == NOW else DIM)
+            size, colour = (LARGE, CALL) if grave else (NUMBER, WHITE)
+            panel.text(value, right, 72 + 38 * i, size, colour, 1)
 
-    def legend(self, surface: pygame.Surface, x: float, y: float) -> None:
-        """What the arrows at the kite mean, from (`x`, `y`) px to the right."""
-        u = self.u
-        scale = f"1 m = {newtons_per_metre(self.parameters):g} N"
+    def _air(self, panel: Panel, motion: Motion, alarm: int) -> None:
+        """α and β as marks between their limits."""
+        limits, air = self.parameters.limits, motion.air
+        rows = (
+            ("α", air.alpha, limits.alpha_stall, not 0 < air.alpha < limits.alpha_stall),
+            ("β", air.beta, limits.beta_max, not abs(air.beta) < limits.beta_max),
+        )
+        left, wide = 14.0, panel.width - 28
+        for i, (name, angle, limit, beyond) in enumerate(rows):
+            row, middle = 26 + 64 * i, left + wide / 2
+            panel.text(name, left, row, NUMBER, WHITE if alarm == NOW else DIM)
+            size, colour = (LARGE - 2, CALL) if beyond else (NUMBER, WHITE)
+            panel.text(f"{degrees(angle):.1f}°", 162, row, size, colour, 1)
+            panel.text(f"max {degrees(limit):.0f}°", panel.width - 14, row, align=1)
+            panel.bar(left, row + 22, wide, 11, TROUGH)
+            share = min(max(angle / limit, -1.0), 1.0)
+            start, end = sorted((middle, middle + share * wide / 2))
+            panel.bar(start, row + 22, max(end - start, 3), 11, CALL if beyond else GOOD)
+            panel.bar(middle - 1, row + 19, 2, 17, WHITE)
+
+    def legend(self, surface: pygame.Surface) -> None:
+        """What the arrows at the kite mean, above the strip along the bottom."""
+        u, scale = self.u, f"1 m = {newtons_per_metre(self.parameters):g} N"
         names = (("air", CALL), ("weight", WHITE), ("left", LEFT), ("right", RIGHT), (scale, WHITE))
-        room = sum(width(text, NAME * u) + 16 * u for text, _ in names) + 16 * u
-        self._shade(surface, x - 16 * u, y - 16 * u, room, 32 * u)
+        room = sum(width(text, NAME * u) / u + 16 for text, _ in names) + 16
+        foot = self.height - STRIP * u
+        panel, x = Panel(surface, (0.0, foot - 36 * u, room, 36), u), 16.0
+        panel.ground()
+        self._taken.append(panel.box)
         for text, colour in names:
-            put(surface, text, x, y, NAME * u, colour)
-            x += width(text, NAME * u) + 16 * u
-
-    def covered(self, column: float, row: float) -> bool:
-        """Whether a panel lies over this pixel."""
-        u = self.u
-        strip = row > self.height - (STRIP + 40) * u
-        return strip or (column < (MARGIN + 300) * u and row < 375 * u)
+            panel.text(text, x, 18, NAME, colour)
+            x += width(text, NAME * u) / u + 16
 
     def wind_text(self, motion: Motion) -> str:
         """The wind's speed where the kite is."""
         speed = wind_speed(self.parameters.wind, -motion.body.p_G_E.z, motion.t)
         return f"WIND {speed:.1f} m/s"
 
-    def _shade(self, surface: pygame.Surface, x: float, y: float, w: float, h: float) -> None:
-        surface.fill(SHADE, _box(x, y, w, h), special_flags=pygame.BLEND_MULT)
 
-    @staticmethod
-    def _bar(
-        surface: pygame.Surface, x: float, y: float, w: float, h: float, colour: Colour
-    ) -> None:
-        surface.fill(colour, _box(x, y, w, h))
+def _model(panel: Panel, readings: "Readings") -> None:
+    """Which model flies, who steers, how far the reference is, how the lines are twisted."""
+    right = panel.width - MARGIN
+    panel.text(readings.model, 24, 24, NUMBER, WHITE)
+    if readings.stick:
+        panel.text(readings.stick, right, 24, align=1)
+    panel.text("to reference", 24, 60)
+    gap = "none" if readings.gap is None else _length(readings.gap)
+    panel.text(gap, right, 60, NUMBER, WHITE, 1)
+    panel.text("line twist", 24, 96)
+    turns = round(degrees(readings.traces.twist) / 360) if readings.traces else 0
+    colour = (RIGHT if turns > 0 else LEFT) if turns else WHITE
+    panel.text(_turns(turns), right, 96, NUMBER, colour, 1)
 
 
-def _box(x: float, y: float, w: float, h: float) -> pygame.Rect:
-    return pygame.Rect(round(x), round(y), round(w), round(h))
-
-
-def _clipped(share: float) -> float:
-    return min(max(share, -1.0), 1.0)
+def _turns(turns: int) -> str:
+    """Whole turns of the lines; positive is to the right."""
+    return f"{abs(turns)} {'right' if turns > 0 else 'left'}" if turns else "0"
 
 
 def _sided(azimuth: float) -> str:
     """An azimuth [deg] from downwind; positive is +y_E, the pilot's left."""
     side = "left" if azimuth > 0.05 else "right" if azimuth < -0.05 else ""
-    return f"{abs(azimuth):.1f}° {side}".rstrip()
+    digits = 0 if abs(azimuth) >= 9.95 else 1
+    return f"{abs(azimuth):.{digits}f}° {side}".rstrip()
 
 
 def _length(metres: float) -> str:
     """A gap in the unit that suits it."""
+    if 0.0 < metres < 1e-10:
+        return "< 0.1 nm"
     for least, unit in GAP_UNITS:
         if metres >= least:
             number = metres / (least or 1e-9)

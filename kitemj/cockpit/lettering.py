@@ -27,9 +27,23 @@ def put(
     surface.blit(image, (round(x - align * image.get_width()), round(y - image.get_height() / 2)))
 
 
+@lru_cache(KEPT)
 def width(text: str, height: float) -> int:
     """Width [px] that `text` takes."""
     return int(_font(round(height / DIGIT)).size(text)[0])
+
+
+@lru_cache(KEPT)
+def wrapped(text: str, room: float, height: float) -> tuple[str, ...]:
+    """`text` in lines not wider than `room` [px], broken between words."""
+    lines = [""]
+    for word in text.split():
+        longer = f"{lines[-1]} {word}".strip()
+        if width(longer, height) > room and lines[-1]:
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return tuple(lines)
 
 
 @lru_cache(KEPT)

@@ -1,6 +1,6 @@
 """One frame: a main view, a small other view, and the instruments over both."""
 
-from math import atan2, cos, hypot, radians, sin
+from math import atan2, cos, radians, sin
 from types import TracebackType
 from typing import Any, NamedTuple, Self
 
@@ -11,18 +11,26 @@ from numpy.typing import NDArray
 from kitemj.cockpit import views
 from kitemj.cockpit.drawing_model import RINGS, ring_step
 from kitemj.cockpit.gl import open_graphics
-from kitemj.cockpit.instruments import STRIP, Instruments
-from kitemj.cockpit.lettering import put
+from kitemj.cockpit.help_page import paint_help
+from kitemj.cockpit.history import Traces
+from kitemj.cockpit.instruments import PANELS, Instruments
+from kitemj.cockpit.lettering import put, width
 from kitemj.cockpit.scene import Scene
+from kitemj.cockpit.trail import paint_trail, seen
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, times
 
-VIEWS: tuple[str, ...] = tuple(views.CAMERAS)
-RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0}  # deg, to the right of straight ahead
-INSET = 0.3  # width of the small view in frame widths
+VIEWS: tuple[str, ...] = (*views.CAMERAS, "orbit")
+INSTRUMENTS: tuple[str, ...] = (*PANELS, "inset", "trail", "forces", "labels")
+"""What `Picture.shown` may hold."""
+
+RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0, "top": 38.0}  # deg, right of downwind
+INSET = 0.3  # size of the small view in parts of a frame of 16:9
+TRAIL = 3.0  # px of 720 rows
+CLEAR = 0.5  # spans around the kite without a trail
 
 
 class Readings(NamedTuple):
@@ -36,12 +44,15 @@ class Readings(NamedTuple):
     stick: str = ""  # what steers: "gamepad", "keys", "programme"
     speed: float = 1.0  # simulated time over wall time
     message: str = ""  # one line that must be seen
+    traces: Traces | None = None  # what a History remembers
+    help: tuple[str, ...] = ()  # lines over everything; a tab parts a key from what it does
 
 
 class Picture:
     """Paints motions of one parameter set; raises `NoGraphics` where OpenGL is missing.
 
-    A context manager. Any thread may paint, one at a time.
+    A context manager. Any thread may paint, one at a time. `shown` holds the names among
+    INSTRUMENTS of what is painted over the view; anyone may change it between frames.
     """
 
     def __init__(self, parameters: Parameters, width: int = 1280, height: int = 720) -> None:
@@ -51,8 +62,11 @@ class Picture:
                 f"a picture of {width} x {height} pixels is too small, at least 320 x 180"
             )
         self.parameters, self.width, self.height = parameters, width, height
+        self.shown: set[str] = set(INSTRUMENTS)
+        self._orbit = views.first_orbit(parameters)
         self._graphics = open_graphics(width, height)
         self._camera: views.Camera | None = None
+        self._inset_camera: views.Camera | None = None
         self._scene = Scene(parameters, width, height, self._graphics.software)
         with self._graphics.context.as_current():
             self._context: Any = mujoco.MjrContext(
@@ -66,48 +80,108 @@ class Picture:
         self, motion: Motion, ghost: Motion | None, readings: Readings, view: str = "chase"
     ) -> NDArray[np.uint8]:
         """A new frame (height, width, 3), RGB, row 0 on top; `ghost` is drawn translucent."""
-        if view not in views.CAMERAS:
+        if view not in VIEWS:
             raise InputError(f"there is no view {view!r}; there are: {', '.join(VIEWS)}")
-        self._camera = views.CAMERAS[view](self.parameters, motion)
+        self._camera, self._inset_camera = self._eye(motion, view), None
         whole = mujoco.MjrRect(0, 0, self.width, self.height)
         with self._graphics.context.as_current():
-            self._scene.fill(motion, ghost, self._camera, close=view == "chase")
+            forces = "forces" in self.shown
+            self._scene.fill(motion, ghost, self._camera, self._close(view), forces)
             mujoco.mjr_render(whole, self._scene.mjv, self._context)
-            self._render_inset(motion, ghost, view)
+            if "inset" in self.shown:
+                self._render_inset(motion, ghost, view)
             mujoco.mjr_readPixels(self._pixels, None, whole, self._context)
         frame = np.ascontiguousarray(self._pixels[::-1])
         self._letter(frame, motion, readings, view)
         return frame
 
+    def orbit(self, d_azimuth: float, d_elevation: float) -> None:
+        """Turns the eye of the view "orbit": to the right and up by angles in rad."""
+        self._orbit = self._orbit.turned(d_azimuth, d_elevation)
+
+    def zoom(self, factor: float) -> None:
+        """Takes the eye of the view "orbit" `factor` times nearer."""
+        if not factor > 0:
+            raise InputError(f"zoom must be by a factor > 0, got {factor:g}")
+        self._orbit = self._orbit.zoomed(factor, self.parameters)
+
+    def pixel(self, p_E: Vector) -> tuple[float, float]:
+        """(column, row) of the point `p_E` [m, E] in the main view of the last frame."""
+        if self._camera is None:
+            raise RuntimeError("pixel() needs a painted frame: call paint() first")
+        place = views.pixel(self._camera, p_E, self.width, self.height)
+        return place.column, place.row
+
+    def _eye(self, motion: Motion, view: str) -> views.Camera:
+        if view == "orbit":
+            return views.orbiting(self.parameters, motion, self._orbit)
+        return views.CAMERAS[view](self.parameters, motion)
+
+    def _close(self, view: str) -> bool:
+        """Whether a view is from near the kite."""
+        return view == "chase" or (view == "orbit" and views.near(self.parameters, self._orbit))
+
     def _letter(
         self, frame: NDArray[np.uint8], motion: Motion, readings: Readings, view: str
     ) -> None:
-        """Labels of things in the picture, then the instruments, into the frame's own memory."""
+        """The trail, labels of things in the picture, the instruments, into the frame itself."""
         size = (self.width, self.height)
         surface = pygame.image.frombuffer(frame.data, size, "RGB")
-        unit = self._instruments.u
-        close = view == "chase"
-        tail, _ = self._scene.wind_arrow(motion, close)
+        if readings.traces and "trail" in self.shown:
+            self._trails(surface, readings.traces.trail, motion)
+        if self._inset_camera:
+            pygame.draw.rect(surface, (235, 238, 242), self._inset_rows().inflate(4, 4), 2)
+        self._instruments.paint(surface, motion, readings, self.shown, self._close(view))
+        if self._close(view) and "forces" in self.shown:
+            self._instruments.legend(surface)
+        if "labels" in self.shown:
+            self._labels(surface, motion, view)
+        paint_help(surface, readings.help, self._instruments.u)
+
+    def _trails(self, surface: pygame.Surface, trail: NDArray[np.float64], motion: Motion) -> None:
+        """The trail in both views, up to the kite's tail."""
+        unit, inset = self._instruments.u, self._inset_rows()
+        points = np.concatenate([trail, [motion.body.p_G_E]])
+        # it has no depth: it must not be written across the kite
+        away = np.linalg.norm(points - points[-1], axis=1)
+        clear = away > CLEAR * self.parameters.kite.span
+        whole = surface.get_rect()
+        if self._inset_camera:
+            # the small view is a picture of its own: the large one's trail must not cross it
+            kept = surface.subsurface(inset).copy()
+        if self._camera:
+            places, usable = seen(self._camera, points, whole)
+            paint_trail(surface, places, usable & clear, whole, TRAIL * unit)
+        if self._inset_camera:
+            surface.blit(kept, inset)
+            few = slice(None, None, -3)  # enough for a small picture
+            places, usable = seen(self._inset_camera, points[few][::-1], inset)
+            paint_trail(surface, places, usable & clear[few][::-1], inset, 2 * unit)
+
+    def _labels(self, surface: pygame.Surface, motion: Motion, view: str) -> None:
+        """The wind's speed at its arrow, the rings' distances; where there is room."""
+        close = self._close(view)
+        taken = self._instruments.taken()
+        if self._inset_camera:
+            taken.append(self._inset_rows())
+        tail, tip = self._scene.wind_arrow(motion, close)
         aside, below, align = (0.0, 34.0, 0.5) if close else (-20.0, 0.0, 1.0)
+        if view == "side":  # where the pilot stands beside the arrow's tail
+            aside, below, align = 0.0, 34.0, 0.0
         wind = self._instruments.wind_text(motion)
-        self._label(surface, tail, wind, 20, (aside * unit, below * unit), align)
-        step, last = ring_step(self.parameters.lines.length), None
+        if not self._label(surface, tail, wind, 20, (aside, below), align, taken):
+            self._label(surface, tip, wind, 20, (24.0, 0.0), 0.0, taken)
+        step = ring_step(self.parameters.lines.length)
         for k in range(1, RINGS + 1):
             place = times(k * step, self._ring_direction(view))
-            column, row = self.pixel(place)
-            if last is None or hypot(column - last[0], row - last[1]) > 30 * unit:
-                self._label(surface, place, f"{k * step:g} m", 16, (0.0, -14 * unit), 0.5)
-                last = (column, row)
-        pygame.draw.rect(surface, (235, 238, 242), self._inset_rows().inflate(4, 4), 2)
-        self._instruments.paint(surface, motion, readings)
-        if close:
-            self._instruments.legend(surface, 16 * unit, self.height - (STRIP + 18) * unit)
+            self._label(surface, place, f"{k * step:g} m", 18, (0.0, -15.0), 0.5, taken)
 
     def _ring_direction(self, view: str) -> Vector:
         """Where around O_E the rings have their labels: beside what matters."""
         assert self._camera is not None
-        ahead = self._camera.forward if view == "chase" else views.downwind(self.parameters)
-        bearing = atan2(ahead.y, ahead.x) + radians(RING_LABELS[view])
+        free = view in ("chase", "orbit")
+        ahead = self._camera.forward if free else views.downwind(self.parameters)
+        bearing = atan2(ahead.y, ahead.x) + radians(RING_LABELS.get(view, 4.0))
         return Vector(cos(bearing), sin(bearing), 0.0)
 
     def _label(
@@ -118,38 +192,43 @@ class Picture:
         size: float,
         offset: tuple[float, float],
         align: float,
-    ) -> None:
-        """`text` beside where the point `p_E` [m, E] is in the main view, if it is there."""
+        taken: list[pygame.Rect],
+    ) -> bool:
+        """`text` beside where the point `p_E` [m, E] is in the main view, if nothing is there.
+
+        `taken` are the places of other things [px]; this one is added. Returns whether it is.
+        """
         assert self._camera is not None
+        unit = self._instruments.u
         place = views.pixel(self._camera, p_E, self.width, self.height)
-        column, row = place.column + offset[0], place.row + offset[1]
-        inside = 0 < column < self.width and 0 < row < self.height
-        hidden = self._instruments.covered(column, row)
-        hidden |= bool(self._inset_rows().inflate(60, 20).collidepoint(column, row))
-        if place.depth > 0 and inside and not hidden:
-            put(surface, text, column, row, size * self._instruments.u, align=align)
+        column, row = place.column + offset[0] * unit, place.row + offset[1] * unit
+        if place.depth <= 0 or not (abs(column) < 1e5 and abs(row) < 1e5):
+            return False
+        wide, tall = width(text, size * unit), round(1.3 * size * unit)
+        box = pygame.Rect(round(column - align * wide), round(row - tall / 2), wide, tall)
+        near = box.inflate(8 * unit, 0)
+        if near.collidelist(taken) >= 0 or not surface.get_rect().contains(box):
+            return False
+        put(surface, text, column, row, size * unit, align=align)
+        taken.append(box)
+        return True
 
     def _inset_rows(self) -> pygame.Rect:
         """Where the small view is, in the frame's pixels."""
-        w, h = int(INSET * self.width), int(INSET * self.height)
-        margin = self.height // 60
+        unit = self._instruments.u
+        w, h, margin = int(INSET * 1280 * unit), int(INSET * 720 * unit), int(12 * unit)
         return pygame.Rect(self.width - w - margin, margin, w, h)
 
     def _render_inset(self, motion: Motion, ghost: Motion | None, view: str) -> None:
-        other = "pilot" if view == "chase" else "chase"
+        """The kite from near where the main view is far; else all of it from the pilot."""
+        other = "pilot" if self._close(view) else "chase"
         camera = views.CAMERAS[other](self.parameters, motion)
-        self._scene.fill(motion, ghost, camera, close=other == "chase")
+        self._inset_camera = camera
+        self._scene.fill(motion, ghost, camera, other == "chase", "forces" in self.shown)
         rows = self._inset_rows()
         bottom = self.height - rows.bottom  # OpenGL counts rows from below
         corner = mujoco.MjrRect(rows.left, bottom, rows.width, rows.height)
         mujoco.mjr_render(corner, self._scene.mjv, self._context)
-
-    def pixel(self, p_E: Vector) -> tuple[float, float]:
-        """(column, row) of the point `p_E` [m, E] in the main view of the last frame."""
-        if self._camera is None:
-            raise RuntimeError("pixel() needs a painted frame: call paint() first")
-        place = views.pixel(self._camera, p_E, self.width, self.height)
-        return place.column, place.row
 
     def close(self) -> None:
         """Gives the OpenGL context back; may be called twice."""

@@ -60,10 +60,18 @@ class Scene:
         for flag in range(len(self.mjv.flags)):
             self.mjv.flags[flag] = flag in [int(s) for s in shown]
 
-    def fill(self, motion: Motion, ghost: Motion | None, camera: Camera, close: bool) -> None:
+    def fill(
+        self,
+        motion: Motion,
+        ghost: Motion | None,
+        camera: Camera,
+        close: bool,
+        forces: bool = True,
+    ) -> None:
         """Makes the scene of `motion` as `camera` sees it.
 
-        `close` is the view of one who is near the kite: true size, bridles and force arrows.
+        `close` is the view of one who is near the kite: true size, bridles and, unless
+        `forces` is off, force arrows.
         """
         size = 0 if close else 1
         visible = 0.0 if ghost is None else _visibility(motion, ghost, self.parameters)
@@ -86,7 +94,8 @@ class Scene:
         self._add_pilot(camera)
         if close:
             self._add_bridles(motion)
-            self._add_forces(motion)
+            if forces:
+                self._add_forces(motion)
         self._add_wind(motion, close)
 
     def wind_arrow(self, motion: Motion, close: bool) -> tuple[Vector, Vector]:
@@ -94,7 +103,8 @@ class Scene:
         wind, span = downwind(self.parameters), self.parameters.kite.span
         left = cross(UP, wind)
         if close:
-            tail = plus(motion.body.p_G_E, plus(times(1.25 * span, left), times(-0.6 * span, wind)))
+            aside = plus(times(1.25 * span, left), times(0.12 * span, UP))
+            tail = plus(motion.body.p_G_E, plus(aside, times(-0.6 * span, wind)))
             return tail, plus(tail, times(1.2 * span, wind))
         L = self.parameters.lines.length
         tail = plus(times(0.12 * L, left), times(0.05 * L, UP))

@@ -112,8 +112,8 @@ class Window:
 class FilmScreen:
     """A film in real time: a frame that came late stands as long as it was the newest."""
 
-    def __init__(self, path: Path, width: int, height: int) -> None:
-        self._film = Film(path, width, height, FRAME_RATE)
+    def __init__(self, path: Path, width: int, height: int, overwrite: bool = False) -> None:
+        self._film = Film(path, width, height, FRAME_RATE, overwrite)
         self.stick: Stick = SHOW
         self.view, self.leaving, self.restarting, self.message = VIEWS[0], False, False, ""
 

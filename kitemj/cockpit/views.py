@@ -5,7 +5,7 @@ picture, live or from a recording, and a smooth motion a smooth picture.
 """
 
 from collections.abc import Callable
-from math import cos, hypot, radians, sin, tan
+from math import cos, hypot, pi, radians, remainder, sin, tan
 from typing import NamedTuple
 
 from kitemj.dynamics.motion import Motion
@@ -15,6 +15,9 @@ from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times
 UP = Vector(0.0, 0.0, -1.0)
 FIELD = radians(58.0)  # vertical angle of view
 NEAR = 0.25  # m, closer is not drawn
+HIGHEST = radians(85.0)  # elevation of an orbit
+LOWEST = 0.6  # m above the ground that an eye stands
+NEAR_ORBIT = 8.0  # spans, up to here the kite is seen in its true size
 
 
 class Camera(NamedTuple):
@@ -81,14 +84,70 @@ def side(parameters: Parameters, motion: Motion) -> Camera:
     del motion
     L, wind = parameters.lines.length, downwind(parameters)
     right = cross(wind, UP)
-    target = plus(times(0.4 * L, wind), times(0.36 * L, UP))
-    return looking(plus(target, times(1.2 * L, right)), target)
+    target = plus(times(0.62 * L, wind), times(0.4 * L, UP))
+    return looking(plus(target, times(1.5 * L, right)), target)
+
+
+def top(parameters: Parameters, motion: Motion) -> Camera:
+    """From straight above: the wind blows up the picture, the pilot's left is left."""
+    del motion
+    L, wind = parameters.lines.length, downwind(parameters)
+    position = plus(times(0.42 * L, wind), times(1.9 * L, UP))
+    return Camera(position, times(-1.0, UP), wind, FIELD)
+
+
+class Orbit(NamedTuple):
+    """Where an eye stands that is free to go round the kite.
+
+    `azimuth` [rad] from where chase stands, positive to the pilot's right; `elevation` [rad]
+    above the kite's level; `distance` [m].
+    """
+
+    azimuth: float
+    elevation: float
+    distance: float
+
+    def turned(self, d_azimuth: float, d_elevation: float) -> "Orbit":
+        """Further round, by angles in rad; never quite overhead or underfoot."""
+        elevation = min(max(self.elevation + d_elevation, -HIGHEST), HIGHEST)
+        return self._replace(
+            azimuth=remainder(self.azimuth + d_azimuth, 2 * pi), elevation=elevation
+        )
+
+    def zoomed(self, factor: float, parameters: Parameters) -> "Orbit":
+        """`factor` times nearer, between a span and four line lengths."""
+        least, most = parameters.kite.span, 4.0 * parameters.lines.length
+        return self._replace(distance=min(max(self.distance / factor, least), most))
+
+
+def first_orbit(parameters: Parameters) -> Orbit:
+    """From behind the pilot's right shoulder, near the kite."""
+    return Orbit(radians(35.0), radians(20.0), 3.0 * parameters.kite.span)
+
+
+def orbiting(parameters: Parameters, motion: Motion, orbit: Orbit) -> Camera:
+    """Looks at the kite from near, from further away at the middle of its lines."""
+    G, span = motion.body.p_G_E, parameters.kite.span
+    share = (orbit.distance - NEAR_ORBIT * span) / (2.0 * parameters.lines.length)
+    target = times(1.0 - 0.5 * min(max(share, 0.0), 1.0), G)
+    wind = downwind(parameters)
+    right = cross(wind, UP)
+    level = plus(times(-cos(orbit.azimuth), wind), times(sin(orbit.azimuth), right))
+    away = plus(times(cos(orbit.elevation), level), times(sin(orbit.elevation), UP))
+    eye = plus(target, times(orbit.distance, away))
+    return looking(Vector(eye.x, eye.y, min(eye.z, -LOWEST)), target)
+
+
+def near(parameters: Parameters, orbit: Orbit) -> bool:
+    """Whether the eye is so near that the kite is drawn in its true size, with its forces."""
+    return orbit.distance < NEAR_ORBIT * parameters.kite.span
 
 
 CAMERAS: dict[str, Callable[[Parameters, Motion], Camera]] = {
     "chase": chase,
     "pilot": pilot,
     "side": side,
+    "top": top,
 }
 
 

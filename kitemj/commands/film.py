@@ -1,9 +1,16 @@
-"""`kitemj film`: a scenario on film, with no screen."""
+"""`kitemj film`: scenarios and recordings on film, with no screen."""
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from kitemj.commands.words import MODELS, Parser, add_picture, add_step, command, size
+from kitemj.commands.words import MODELS, Parser, add_picture, command, size
+from kitemj.errors import InputError
+
+if TYPE_CHECKING:
+    from kitemj.cockpit.film_sources import Source
+
+MOST = 2
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -11,28 +18,57 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser = command(
         commands,
         "film",
-        "fly a scenario with no screen and film it",
+        "film a scenario or a recording with no screen; two of them, or two models, side by side",
         "kitemj film scenarios/loops_20m.toml --output kite.mp4",
     )
-    parser.add_argument("scenario", type=Path, help="a scenario file (TOML)")
-    parser.add_argument("--output", type=Path, required=True, metavar="FILE.mp4")
-    parser.add_argument("--overwrite", action="store_true", help="replace FILE.mp4 if it exists")
-    parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
+    parser.add_argument("source", type=Path, nargs="+", help="scenarios (TOML) or recordings")
+    parser.add_argument("--output", type=Path, required=True, metavar="FILE", help=".mp4 or .gif")
+    parser.add_argument("--overwrite", action="store_true", help="replace FILE if it exists")
+    parser.add_argument(
+        "--model",
+        metavar="A[,B]",
+        help=f"one or two of {', '.join(MODELS)}; a recording's input is flown again through it",
+    )
+    parser.add_argument("--rate", type=int, default=30, help="frames/s, default 30")
+    parser.add_argument("--speed", type=float, default=1.0, help="2: twice as fast as it was")
+    parser.add_argument("--from", dest="start", type=float, default=0.0, metavar="S")
+    parser.add_argument("--to", dest="end", type=float, metavar="S")
+    parser.add_argument("--still", type=float, metavar="T", help="one picture at T s, as a PNG")
+    parser.add_argument("--instruments", action=argparse.BooleanOptionalAction, default=True)
     add_picture(parser)
-    add_step(parser)
+    parser.add_argument("--step", type=float, metavar="S", help="longest step [s], default 0.002")
     parser.set_defaults(run=run)
 
 
 def run(words: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.cockpit.filming import film_scenario
-    from kitemj.flight.output import check_new
-    from kitemj.flight.scenario import read_scenario
+    from kitemj.cockpit.filming import Look, check_output, film, still
 
-    check_new(words.output, words.overwrite)
-    scenario = read_scenario(words.scenario)
-    pixels = size(words.size)
-    film_scenario(
-        scenario, words.model, words.step, words.output, pixels, words.view, words.overwrite
-    )
+    look = Look(size(words.size), words.view, words.instruments, words.rate, words.speed)
+    is_still = words.still is not None
+    check_output(words.output, look, is_still, words.overwrite)
+    models: list[str | None] = words.model.split(",") if words.model else [None]
+    if len(words.source) * len(models) > MOST:
+        raise InputError(f"at most {MOST} flights stand side by side: two files, or two models")
+    interval = (words.still or 1.0) if is_still else words.speed / words.rate
+    sources = [_source(words, path, model, interval) for path in words.source for model in models]
+    if is_still:
+        still(sources, words.output, look, words.still, words.overwrite)
+    else:
+        film(sources, words.output, look, words.start, words.end, words.overwrite)
     return 0
+
+
+def _source(words: argparse.Namespace, path: Path, model: str | None, interval: float) -> "Source":
+    """The flight in a file: flown by `model`, or recorded and flown again by it."""
+    from kitemj.cockpit.film_sources import FlownScenario, Recorded
+    from kitemj.flight.scenario import read_scenario
+    from kitemj.flight.simulate import DEFAULT_STEP
+    from kitemj.recording.file import read_recording
+    from kitemj.recording.replay import flown_again
+
+    if path.suffix.lower() == ".toml":
+        step = words.step or DEFAULT_STEP
+        return FlownScenario(read_scenario(path), model or "mujoco", step, interval)
+    recording = read_recording(path)
+    return Recorded(recording, flown_again(recording, model, words.step) if model else None)

@@ -9,7 +9,9 @@ from kitemj.commands.words import MODELS, Parser, add_picture, add_step, command
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
+    from kitemj.flight.live import LiveFlight
     from kitemj.flight.scenario import Scenario
+    from kitemj.recording.recorder import Recorder
 
 SHOW_DURATION = 20.0
 """s; of a flight that nobody watches."""
@@ -32,6 +34,9 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
     parser.add_argument("--headless", action="store_true", help="film a show, open no window")
     parser.add_argument("--film", type=Path, metavar="FILE.mp4", help="name of that film")
+    parser.add_argument("--record", type=Path, metavar="FILE", help="name of the recording")
+    parser.add_argument("--overwrite", action="store_true", help="replace these if they exist")
+    parser.add_argument("--no-record", action="store_true", help="leave no recording")
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     add_picture(parser)
     add_step(parser)
@@ -44,33 +49,56 @@ def run(words: argparse.Namespace) -> int:
     from kitemj.cockpit.picture import Picture
     from kitemj.cockpit.screens import FilmScreen, Screen, Window, display_found
     from kitemj.flight.live import LiveFlight
+    from kitemj.flight.output import check_new
 
     pixels, scenario = size(words.size), _scenario(words.scenario)
     if words.duration is not None and not words.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {words.duration} s")
+    if words.record:
+        check_new(words.record, words.overwrite)
     path, duration = None, words.duration
     if words.headless or not display_found():
-        path, duration = _film_path(words.film), duration or SHOW_DURATION
+        path, duration = _film_path(words), duration or SHOW_DURATION
         why = "as asked, no window" if words.headless else "there is no display"
         print(f"{why}: a programmed stick flies {duration:g} s in real time into {path}")
     flight = LiveFlight(scenario, words.model, step=words.step)
     with Picture(scenario.parameters, *pixels) as picture:
         screen: Screen = (
-            FilmScreen(path, *pixels) if path else Window(*pixels, f"kitemj: {scenario.source}")
+            FilmScreen(path, *pixels, words.overwrite)
+            if path
+            else Window(*pixels, f"kitemj: {scenario.source}")
         )
         screen.view = words.view
-        print(fly(flight, picture, screen, duration, words.called))
+        recorder = _recorder(words, flight)
+        print(fly(flight, picture, screen, duration, words.called, recorder))
     if path:
         print(f"film         {path}")
     return 0
 
 
-def _film_path(named: Path | None) -> Path:
+def _recorder(words: argparse.Namespace, flight: "LiveFlight") -> "Recorder | None":
+    """What records the flight; where the present folder cannot be written, nothing does."""
+    from kitemj.recording.header import header_of
+    from kitemj.recording.recorder import Recorder, moment_name
+
+    if words.no_record:
+        return None
+    try:
+        path = words.record or moment_name()
+        return Recorder(path, header_of(flight), flight.parameters, words.overwrite)
+    except InputError as error:
+        if words.record:
+            raise
+        print(f"this flight is not recorded: {error}")
+        return None
+
+
+def _film_path(words: argparse.Namespace) -> Path:
     """The name asked for, or one of the present moment; InputError where it cannot be."""
     from kitemj.flight.output import check_new
 
-    path = named or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
-    check_new(path, overwrite=False)
+    path: Path = words.film or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
+    check_new(path, words.overwrite)
     return path
 
 

@@ -52,7 +52,7 @@ class LiveFlight:
         step: float = DEFAULT_STEP,
     ) -> None:
         parameters = scenario.parameters
-        self.scenario, self.parameters = scenario, parameters
+        self.scenario, self.parameters, self.step = scenario, parameters, step
         self.kite = make_model(model, parameters, step)
         self.ghost = make_model(reference, parameters, step)
         self.ell_rest = rest_ell(parameters.lines.length, parameters.kite.y_A)

@@ -9,7 +9,6 @@ from kitemj.dynamics.motion import Motion, hull_corners_B
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import plus, unrotated
 
-
 TOUCH = 1e-3
 """m; nearer than this to the ground the engine's contact is at work."""
 

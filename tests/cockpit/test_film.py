@@ -82,7 +82,7 @@ def test_without_a_frame_there_is_no_file(tmp_path: Path) -> None:
 def test_a_film_that_exists_is_kept_unless_told(tmp_path: Path) -> None:
     path = tmp_path / "kite.mp4"
     path.write_bytes(b"precious")
-    with pytest.raises(FileExistsError, match="exists already: choose another name"):
+    with pytest.raises(InputError, match="exists; give another"):
         Film(path, WIDTH, HEIGHT)
     assert path.read_bytes() == b"precious"
     with Film(path, WIDTH, HEIGHT, overwrite=True) as film:
@@ -92,10 +92,11 @@ def test_a_film_that_exists_is_kept_unless_told(tmp_path: Path) -> None:
 
 
 def test_a_place_that_cannot_be_written_is_a_sentence(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError, match="there is no folder"):
+    with pytest.raises(InputError, match="there is no folder"):
         Film(tmp_path / "nowhere" / "kite.mp4", WIDTH, HEIGHT)
-    with pytest.raises(IsADirectoryError, match="name a file in it"):
-        Film(tmp_path, WIDTH, HEIGHT)
+    (tmp_path / "folder.mp4").mkdir()
+    with pytest.raises(InputError, match="is a folder"):
+        Film(tmp_path / "folder.mp4", WIDTH, HEIGHT)
 
 
 def test_a_folder_without_permission_is_a_sentence(
@@ -105,7 +106,7 @@ def test_a_folder_without_permission_is_a_sentence(
         raise PermissionError(13, "Permission denied")
 
     monkeypatch.setattr(Path, "touch", refused)  # root may write everywhere
-    with pytest.raises(PermissionError, match=r"Permission denied in .*choose another folder"):
+    with pytest.raises(InputError, match=r"Permission denied; choose another"):
         Film(tmp_path / "kite.mp4", WIDTH, HEIGHT)
 
 

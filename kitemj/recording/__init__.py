@@ -1,0 +1,1 @@
+"""What is left of a flight: a table that grows while flying, and flying it again."""

@@ -1,0 +1,103 @@
+"""A recording read back: every whole batch of the file, whatever happened to its end."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from kitemj.errors import InputError
+from kitemj.physics.parameters import Parameters
+from kitemj.recording.header import Header, from_json
+from kitemj.recording.recorder import ENDING_KEY, HEADER_KEY, SUFFIX
+from kitemj.recording.table import ALL, LIMITS, Columns
+
+REASONS = {
+    "slack": "a line went slack",
+    "stall": "the angle of attack left 0 < α < α_stall",
+    "sideslip": "the sideslip angle exceeded β_max",
+    "overload": "a line carried more than its ceiling",
+    "ground": "the kite touched the ground",
+}
+
+
+@dataclass(frozen=True)
+class Recording:
+    """Header, parameters and columns (each of shape (rows,)) of the file `path`.
+
+    `ending` is how the flight ended, "" where the file breaks off before it says so.
+    """
+
+    path: Path
+    header: Header
+    parameters: Parameters
+    columns: Columns
+    ending: str
+
+    def __len__(self) -> int:
+        """Number of rows."""
+        return len(self.columns["tick"])
+
+    @property
+    def legs(self) -> list[slice]:
+        """The rows of each leg."""
+        starts = np.flatnonzero(np.diff(self.columns["leg"], prepend=-1)).tolist()
+        return [slice(a, b) for a, b in zip(starts, [*starts[1:], len(self)], strict=True)]
+
+    def before(self, limits: Sequence[str]) -> NDArray[np.bool_]:
+        """Rows before the first of their leg that is beyond one of `limits`, shape (rows,)."""
+        rows = np.ones(len(self), np.bool_)
+        for leg in self.legs:
+            beyond = [self.columns[name][leg] for name in limits]
+            rows[leg] = ~np.logical_or.accumulate(np.any(beyond, axis=0)) if beyond else True
+        return rows
+
+    def departure(self, leg: slice) -> tuple[int, str] | None:
+        """Row and reason of the first departure of a leg; None: it stayed within all limits."""
+        limits = np.stack([self.columns[name][leg] for name in LIMITS])
+        outside = np.flatnonzero(limits.any(axis=0))
+        if not len(outside):
+            return None
+        names = [name for i, name in enumerate(LIMITS) if limits[i, outside[0]]]
+        return int(leg.start + outside[0]), " and ".join(REASONS[name] for name in names)
+
+
+def read_recording(path: Path) -> Recording:
+    """The recording in a file; raises InputError with one sentence where it is none."""
+    batches, about = _batches(path)
+    header = from_json(about, path.name)
+    if not any(batch.num_rows for batch, _ in batches):
+        raise InputError(f"{path} holds no tick: it was cut, or stopped in its first half second")
+    whole = pa.Table.from_batches([batch for batch, _ in batches])
+    missing = [name for name in ALL if name not in whole.column_names]
+    if missing:
+        raise InputError(f"{path} lacks the column {missing[0]}: another version wrote it")
+    columns = {name: whole[name].to_numpy() for name in ALL}
+    parameters = header.checked_parameters(path.name)
+    endings = [said[ENDING_KEY].decode() for _, said in batches if said and ENDING_KEY in said]
+    return Recording(path, header, parameters, columns, endings[-1] if endings else "")
+
+
+def _batches(path: Path) -> tuple[list[tuple[pa.RecordBatch, dict[bytes, bytes] | None]], bytes]:
+    """All whole batches with what each says of itself, and the header."""
+    if not path.is_file():
+        what = "is a folder" if path.is_dir() else "does not exist"
+        raise InputError(f"{path} {what}: give the name of a recording (*{SUFFIX})")
+    if path.stat().st_size == 0:
+        raise InputError(f"{path} is empty: the program was stopped before it wrote anything")
+    try:
+        stream = pa.ipc.open_stream(pa.memory_map(str(path)))
+        about = (stream.schema.metadata or {})[HEADER_KEY]
+    except (pa.ArrowException, OSError, KeyError):
+        raise InputError(
+            f"{path} is not a recording of kitemj, or was cut off within its header"
+        ) from None
+    batches: list[tuple[pa.RecordBatch, dict[bytes, bytes] | None]] = []
+    while True:
+        try:
+            batch, said = stream.read_next_batch_with_custom_metadata()
+        except (StopIteration, pa.ArrowException, OSError):
+            return batches, about
+        batches.append((batch, said))

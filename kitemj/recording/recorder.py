@@ -1,0 +1,162 @@
+"""A flight written to disk while it is flown, so that it never waits for the disk.
+
+The flight leaves its ticks in a queue; a thread makes a record batch of them every half a
+second and appends it to an Arrow IPC stream, whole or not at all. Whatever ends the program,
+all batches before are readable. A disk that is full or gone makes the batches wait in
+memory, to be written once there is room again.
+"""
+
+import io
+import os
+import threading
+import time
+from collections import deque
+from pathlib import Path
+
+import pyarrow as pa
+
+from kitemj.errors import InputError
+from kitemj.flight.output import check_new
+from kitemj.physics.parameters import Parameters
+from kitemj.recording.header import Header, to_json
+from kitemj.recording.table import ALL, LIMITS, NUMBERS, PLACE, Tick, table
+
+SUFFIX = ".arrows"
+FLUSH = 0.5
+"""s between batches: what a crash may cost."""
+
+MAX_WAITING = 60_000
+"""Ticks, ten minutes of flight in 25 MB, that wait for a disk before the recording is given up."""
+
+PATIENCE = 10.0
+"""s; longer than this the end of a flight does not wait for the disk."""
+
+HEADER_KEY, ENDING_KEY = b"kitemj", b"ending"
+
+
+def schema(header: Header) -> pa.Schema:
+    """The columns and, in the metadata, the header as JSON."""
+    kinds = dict.fromkeys(NUMBERS, pa.float64()) | dict.fromkeys(PLACE, pa.int32())
+    kinds |= dict.fromkeys(LIMITS, pa.bool_())
+    return pa.schema([(name, kinds[name]) for name in ALL], {HEADER_KEY: to_json(header)})
+
+
+class Recorder:
+    """Writes ticks to a new file `path`; `add` costs a microsecond and never waits.
+
+    Raises InputError where `path` exists or cannot be written. `problem` is what the person
+    should know of the disk at present, `written` counts the ticks in the file.
+    """
+
+    def __init__(
+        self, path: Path, header: Header, parameters: Parameters, overwrite: bool = False
+    ) -> None:
+        check_new(path, overwrite)
+        self.path, self.problem, self.written = path, "", 0
+        self._parameters, self._schema = parameters, schema(header)
+        self._queue: deque[Tick] = deque()
+        self._waiting: deque[tuple[int, bytes]] = deque()
+        self._leg, self._size, self._given_up = -1, 0, False
+        self._sink = io.BytesIO()
+        self._stream = pa.ipc.new_stream(self._sink, self._schema)
+        try:
+            self._file = path.open("wb" if overwrite else "xb", buffering=0)
+        except OSError as error:
+            raise InputError(f"cannot write {path}: {error.strerror}; choose another") from None
+        # the header at once; and the first batch loads much of pyarrow, which is to happen now
+        self._batch({}, always=True)
+        self._write()
+        self._ending = ""
+        self._stopping = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="recorder", daemon=True)
+        self._thread.start()
+
+    def add(self, tick: Tick) -> None:
+        """Takes a tick; its number 0 begins a new leg."""
+        self._queue.append(tick)
+
+    def close(self, ending: str) -> str:
+        """Writes what is left and how it ended; returns a sentence on what the file holds."""
+        self._ending = ending
+        self._stopping.set()
+        self._thread.join(PATIENCE)
+        if self._thread.is_alive():
+            self.problem = f"{self.path} lacks its end: the disk did not answer for {PATIENCE:g} s"
+        return self.problem or f"{self.path}, {self.written} ticks"
+
+    def _run(self) -> None:
+        try:
+            while not self._stopping.wait(FLUSH):
+                self._batch({})
+                self._write()
+            self._batch({ENDING_KEY: self._ending.encode()}, always=True)
+            self._stream.close()
+            self._waiting.append((0, self._taken()))
+            self._write()
+        except Exception as error:  # a thread's own end is silent, and the flight goes on
+            self.problem = f"not recording ({error}): {self.path} ends after {self.written} ticks"
+        finally:
+            self._file.close()
+
+    def _batch(self, about: dict[bytes, bytes], always: bool = False) -> None:
+        """Makes a record batch of what is in the queue, `always` even of nothing."""
+        ticks = [self._queue.popleft() for _ in range(len(self._queue))]
+        if self._given_up or not (ticks or always):
+            return
+        legs = []
+        for tick in ticks:
+            self._leg += tick.tick == 0
+            legs.append(self._leg)
+        columns = table(self._parameters, ticks, legs)
+        batch = pa.record_batch(list(columns.values()), schema=self._schema)
+        self._stream.write_batch(batch, custom_metadata=about or None)
+        self._waiting.append((len(ticks), self._taken()))
+
+    def _taken(self) -> bytes:
+        """The bytes that the stream made since."""
+        made = self._sink.getvalue()
+        self._sink.seek(0)
+        self._sink.truncate()
+        return made
+
+    def _write(self) -> None:
+        """Appends the waiting batches; where the disk refuses, cuts back to the last whole one."""
+        while self._waiting:
+            count, message = self._waiting[0]
+            try:
+                _append(self._file.fileno(), message)
+            except OSError as error:
+                self._refused(error)
+                return
+            self._waiting.popleft()
+            self._size += len(message)
+            self.written += count
+        if not self._given_up:
+            self.problem = ""
+
+    def _refused(self, error: OSError) -> None:
+        try:
+            os.ftruncate(self._file.fileno(), self._size)
+            os.lseek(self._file.fileno(), self._size, os.SEEK_SET)
+        except OSError:
+            pass  # a reader passes over half a batch at the end
+        waiting = sum(count for count, _ in self._waiting)
+        if waiting > MAX_WAITING:
+            self._given_up = True
+            self._waiting.clear()
+        self.problem = (
+            f"not recording ({error.strerror}): {self.path} ends after {self.written} ticks"
+        )
+
+
+def _append(file: int, message: bytes) -> None:
+    left = memoryview(message)
+    while left:
+        left = left[os.write(file, left) :]
+
+
+def moment_name(folder: Path = Path()) -> Path:
+    """A name of the present moment that is free in `folder`."""
+    stem = f"kitemj-{time.strftime('%Y%m%d-%H%M%S')}"
+    names = (f"{stem}{f'-{n}' if n else ''}{SUFFIX}" for n in range(1000))
+    return next(folder / name for name in names if not (folder / name).exists())

@@ -1,0 +1,103 @@
+"""The recorded input flown once more, through the same model or another."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.errors import FlightError
+from kitemj.flight.simulate import make_model
+from kitemj.physics.steering import Control, Segment
+from kitemj.recording.file import Recording
+from kitemj.recording.table import LIMITS, MOTION, STEERING, Columns, motion_row
+
+POSITION = ("x_E_m", "y_E_m", "z_E_m")
+
+
+@dataclass(frozen=True)
+class Replay:
+    """The columns of `MOTION` that `model` flies from the steering of `recording`.
+
+    Not a number where the model could not fly on; `note` says why. `step` [s] is its longest.
+    """
+
+    recording: Recording
+    model: str
+    step: float
+    columns: Columns
+    note: str
+
+    @property
+    def identical(self) -> bool:
+        """Whether every number has the same bits as the recorded one."""
+        recorded = self.recording.columns
+        return all(
+            np.array_equal(self.columns[name].view(np.int64), recorded[name].view(np.int64))
+            for name in MOTION
+        )
+
+    @property
+    def gaps(self) -> NDArray[np.float64]:
+        """Distance [m] between the two centres of mass, shape (rows,)."""
+        recorded = self.recording.columns
+        apart = [self.columns[name] - recorded[name] for name in POSITION]
+        return np.asarray(np.sqrt(np.sum(np.square(apart), axis=0)))
+
+    @property
+    def valid(self) -> NDArray[np.bool_]:
+        """Rows before the first departure of their leg from any limit, shape (rows,)."""
+        return self.recording.before(LIMITS)
+
+    @property
+    def comparable(self) -> NDArray[np.bool_]:
+        """Rows at which the replay says something of the recording, shape (rows,).
+
+        Models part where a line goes slack or the kite touches the ground: some have
+        neither. The same model once more is held against every row.
+        """
+        same = self.model == self.recording.header.model
+        return self.recording.before(() if same else ("slack", "ground"))
+
+    def largest_gap(self, rows: NDArray[np.bool_]) -> tuple[float, int] | None:
+        """The largest gap [m] among `rows` that were flown, and where; None: there are none."""
+        gaps = np.where(rows & np.isfinite(self.gaps), self.gaps, -1.0)
+        row = int(np.argmax(gaps))
+        return (float(gaps[row]), row) if gaps[row] >= 0.0 else None
+
+
+def flown_again(recording: Recording, model: str, step: float | None = None) -> Replay:
+    """Flies every leg; `step` [s] is that of the recording if left out.
+
+    Raises InputError for an unknown model or a step that cannot be.
+    """
+    step = step or recording.header.step
+    columns = np.full((len(MOTION), len(recording)), np.nan)
+    notes = []
+    for leg in recording.legs:
+        try:
+            for row, numbers in _flown(recording, leg, model, step):
+                columns[:, row] = numbers
+        except FlightError as error:
+            notes.append(str(error))
+    found = dict(zip(MOTION, columns, strict=True))
+    return Replay(recording, model, step, found, "; ".join(notes))
+
+
+def _flown(
+    recording: Recording, leg: slice, model: str, step: float
+) -> Iterator[tuple[int, list[float]]]:
+    """Each row of a leg with its motion, by the very calls that `LiveFlight` makes."""
+    kite = make_model(model, recording.parameters, step)
+    tick = recording.header.tick
+    steering = zip(*(recording.columns[name][leg].tolist() for name in STEERING), strict=True)
+    numbers = recording.columns["tick"][leg].tolist()
+    for row, k, control in zip(range(leg.start, leg.stop), numbers, steering, strict=True):
+        if k == 0:
+            segment = Segment(0.0, Control(*control))
+            kite.start(recording.header.state, segment)
+        else:
+            segment = Segment((k - 1) * tick, Control(*control))
+            kite.advance(segment, tick)
+            kite.t = k * tick
+        yield row, motion_row(kite.motion(segment))

@@ -1,0 +1,106 @@
+"""The table of a recording: a row for each tick, in columns that explain themselves.
+
+The first columns are those of every table of motions (`kitemj.flight.output.COLUMNS`). A row
+holds the instant at the end of its tick; the steering is that of the tick which ended there:
+ℓ and δ at its start, and ℓ̈ and δ̈ that were constant in it. Row 0 of a leg is its start.
+"""
+
+from collections.abc import Mapping, Sequence
+from math import nan
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.live import Command, Moment
+from kitemj.flight.output import COLUMNS, row
+from kitemj.flight.validity import Ending
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.steering import Control
+
+Columns = Mapping[str, NDArray[Any]]
+
+ATTITUDE = tuple(f"R_BE_{row}{column}" for row in "xyz" for column in "xyz")
+VELOCITY = ("vx_E_m_s", "vy_E_m_s", "vz_E_m_s")
+RATES = ("omega_x_B_rad_s", "omega_y_B_rad_s", "omega_z_B_rad_s")
+MOTION = (*COLUMNS, *ATTITUDE, *VELOCITY, *RATES, "airspeed_m_s")
+"""Of any model's motion; R_BE takes components in E to components in B, row by row."""
+
+PLACE = ("leg", "tick")
+"""Which flight of the recording (each restart begins one), which tick in it; whole numbers."""
+
+STICK = ("stick_delta", "stick_ell")
+STEERING = (
+    "ell_m",
+    "ell_dot_m_s",
+    "ell_ddot_m_s2",
+    "delta_rad",
+    "delta_dot_rad_s",
+    "delta_ddot_rad_s2",
+)
+REFERENCE = ("ref_x_E_m", "ref_y_E_m", "ref_z_E_m", *(f"ref_{name}" for name in ATTITUDE))
+"""Where the reference was; not a number where it is not valid."""
+
+NUMBERS = (*MOTION, *STICK, *STEERING, *REFERENCE, "gap_m", "lateness_s")
+LIMITS = ("slack", "stall", "sideslip", "overload", "ground")
+"""Whether the instant is beyond this limit of validity; the order says which is told first."""
+
+ALL = (*MOTION, *PLACE, *NUMBERS[len(MOTION) :], *LIMITS)
+NOWHERE = (nan,) * len(REFERENCE)
+
+
+class Tick(NamedTuple):
+    """What one tick leaves behind; `control` is that of its segment, `lateness` in s."""
+
+    tick: int
+    control: Control
+    command: Command
+    moment: Moment
+    lateness: float
+
+
+def motion_row(motion: Motion) -> list[float]:
+    """One motion in the order of `MOTION`."""
+    _, R, v, omega = motion.body
+    return [*row(motion), *R.x, *R.y, *R.z, *v, *omega, motion.air.speed]
+
+
+def table(parameters: Parameters, ticks: Sequence[Tick], legs: Sequence[int]) -> Columns:
+    """The columns of `ALL` of some ticks; `legs` says which leg each belongs to."""
+    rows = [_numbers(tick) for tick in ticks]
+    numbers = np.array(rows, np.float64).reshape(len(rows), len(NUMBERS)).T.copy()
+    columns: dict[str, NDArray[Any]] = dict(zip(NUMBERS, numbers, strict=True))
+    columns["leg"] = np.array(legs, np.int32)
+    columns["tick"] = np.array([tick.tick for tick in ticks], np.int32)
+    columns |= beyond(parameters, columns)
+    columns["ground"] = np.array([_grounded(tick.moment) for tick in ticks], np.bool_)
+    return {name: columns[name] for name in ALL}
+
+
+def beyond(parameters: Parameters, columns: Columns) -> dict[str, NDArray[np.bool_]]:
+    """Which rows are beyond which limit, as `validity.departure_at` has it, and the ceiling."""
+    limits = parameters.limits
+    tensions = np.stack([columns["tension_plus_N"], columns["tension_minus_N"]])
+    alpha, beta = np.radians(columns["alpha_deg"]), np.radians(columns["beta_deg"])
+    return {
+        "slack": tensions.min(axis=0) <= 0.0,
+        "stall": ~((alpha > 0.0) & (alpha < limits.alpha_stall)),
+        "sideslip": ~(np.abs(beta) < limits.beta_max),
+        "overload": tensions.max(axis=0) > limits.tension_max,
+    }
+
+
+def _numbers(tick: Tick) -> list[float]:
+    moment, reference = tick.moment, tick.moment.reference
+    where: Sequence[float] = NOWHERE
+    if reference is not None:
+        p, R = reference.body[:2]
+        where = (*p, *R.x, *R.y, *R.z)
+    gap = nan if moment.gap is None else moment.gap
+    steering = (*tick.command, *tick.control)
+    return [*motion_row(moment.motion), *steering, *where, gap, tick.lateness]
+
+
+def _grounded(moment: Moment) -> bool:
+    return moment.departure is not None and moment.departure.ending is Ending.GROUND

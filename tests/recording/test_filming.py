@@ -1,0 +1,224 @@
+"""Films and windows of recordings: what they show, and what they refuse."""
+
+from pathlib import Path
+
+import av
+import numpy as np
+import pygame
+import pytest
+
+from kitemj.cli import main
+from kitemj.cockpit.film_sources import Recorded
+from kitemj.cockpit.filming import Look, film
+from kitemj.cockpit.painters import Stage, painted
+from kitemj.cockpit.picture import Picture
+from kitemj.cockpit.replay_player import SPEEDS, Player
+from kitemj.cockpit.replay_window import ReplayWindow
+from kitemj.cockpit.screens import display_found
+from kitemj.recording.file import read_recording
+from kitemj.recording.replay import flown_again
+from tests.recording.flights import LOOPS, live_flight, recorded, restless
+
+SMALL = (320, 180)
+SIZE = f"{SMALL[0]}x{SMALL[1]}"
+ANSWER = 0.25
+"""s; a slider that is felt to answer at once takes 0.1 s, measured: 0.06 s at 1280 x 720."""
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    """3 s of a kite that loops, and 3 s more after a restart."""
+    path = tmp_path_factory.mktemp("recordings") / "kite.arrows"
+    return recorded(path, 300, live_flight(LOOPS), restless(2, ell=0.1, hold=90), legs=2)
+
+
+def frames_of(path):
+    with av.open(str(path)) as container:
+        return [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
+
+
+def test_a_film_has_the_frames_that_its_words_ask_for(file, tmp_path):
+    words = ["film", str(file), "--size", SIZE, "--from", "1", "--to", "2.5", "--rate", "20"]
+    assert main([*words, "--speed", "2", "--output", str(tmp_path / "a.mp4")]) == 0
+    frames = frames_of(tmp_path / "a.mp4")
+    assert len(frames) == 1.5 / 2 * 20 + 1
+    assert frames[0].shape == (*SMALL[::-1], 3)
+    assert np.abs(frames[0].astype(int) - frames[-1]).max() > 50  # the kite moved
+
+
+def test_a_gif_by_its_name(file, tmp_path):
+    words = ["film", str(file), "--size", SIZE, "--to", "0.5", "--rate", "10"]
+    assert main([*words, "--output", str(tmp_path / "a.gif")]) == 0
+    assert (tmp_path / "a.gif").read_bytes().startswith(b"GIF89a")
+    assert len(frames_of(tmp_path / "a.gif")) == 6
+
+
+def test_a_still_is_the_frame_of_that_moment(file, tmp_path):
+    words = ["film", str(file), "--size", SIZE, "--still", "2.2"]
+    assert main([*words, "--output", str(tmp_path / "a.png")]) == 0
+    image = pygame.image.load(str(tmp_path / "a.png"))
+    assert image.get_size() == SMALL
+    source = Recorded(read_recording(file))
+    with Picture(source.parameters, *SMALL) as picture:
+        frame = picture.paint(*source.shot(2.2, 1.0), "chase")
+    np.testing.assert_array_equal(pygame.surfarray.array3d(image).swapaxes(0, 1), frame)
+
+
+def test_without_instruments_nothing_is_written_over_the_view(file, tmp_path):
+    words = ["film", str(file), "--size", SIZE, "--still", "1", "--no-instruments"]
+    assert main([*words, "--output", str(tmp_path / "bare.png")]) == 0
+    assert main([*words[:-1], "--output", str(tmp_path / "full.png")]) == 0
+    bare, full = (
+        pygame.surfarray.array3d(pygame.image.load(str(tmp_path / f"{name}.png"))).astype(int)
+        for name in ("bare", "full")
+    )
+    strip = np.s_[:, -15:]
+    assert np.abs(bare - full)[strip].max() > 50
+
+
+def test_two_stand_side_by_side(file, tmp_path):
+    words = ["film", str(file), str(file), "--size", "640x180", "--still", "1"]
+    assert main([*words, "--output", str(tmp_path / "two.png")]) == 0
+    both = pygame.surfarray.array3d(pygame.image.load(str(tmp_path / "two.png")))
+    assert both.shape == (640, 180, 3)
+    np.testing.assert_array_equal(both[:319], both[320:639])
+    assert main([*words, "--output", str(tmp_path / "no.png"), "--model", "mujoco,lagrange"]) == 2
+
+
+def test_two_models_of_one_scenario(tmp_path):
+    scenario = Path(__file__).parent.parent.parent / "scenarios" / "steer_80m.toml"
+    words = ["film", str(scenario), "--size", "640x180", "--still", "1"]
+    words += ["--model", "mujoco,newton-euler", "--output", str(tmp_path / "two.png")]
+    assert main(words) == 0
+    assert (tmp_path / "two.png").stat().st_size > 1000
+
+
+def test_frames_of_two_processes_are_those_of_one(file):
+    source = Recorded(read_recording(file))
+    stage = Stage((source.parameters,), ("",), SMALL, "pilot", True)
+    shots = [[source.shot(0.3 * i, 1.0)] for i in range(12)]
+    alone = [frame.copy() for frame in painted(stage, shots, 1)]
+    together = [frame.copy() for frame in painted(stage, shots, 2)]
+    np.testing.assert_array_equal(alone, together)
+
+
+def test_ctrl_c_leaves_a_complete_film(file, tmp_path, monkeypatch):
+    source, seen = Recorded(read_recording(file)), []
+
+    def shot(t, speed):
+        seen.append(t)
+        if len(seen) > 5:
+            raise KeyboardInterrupt
+        return Recorded.shot(source, t, speed)
+
+    monkeypatch.setattr(source, "shot", shot)
+    film([source], tmp_path / "a.mp4", Look(SMALL), end=2.0)
+    assert len(frames_of(tmp_path / "a.mp4")) == 5
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["--output", "a.avi"], "ends with .mp4 or .gif"),
+        (["--output", "a.png"], "ends with .mp4 or .gif"),
+        (["--output", "a.mp4", "--still", "1"], "ends with .png"),
+        (["--output", "a.png", "--still", "99"], "--still must be"),
+        (["--output", "a.mp4", "--from", "99"], "--from must be"),
+        (["--output", "a.mp4", "--speed", "0"], "--speed must be"),
+        (["--output", "a.gif", "--rate", "60"], "1 to 50"),
+        (["--output", "a.mp4", "--size", "321x181"], "must be even"),
+        (["--output", "a.mp4", "--model", "laksa"], "there is no model"),
+    ],
+)
+def test_bad_words_are_a_sentence(file, tmp_path, monkeypatch, capsys, words, reason):
+    monkeypatch.chdir(tmp_path)
+    assert main(["film", str(file), *words]) == 2
+    said = capsys.readouterr().err
+    assert reason in said
+    assert said.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_output_that_exists_is_kept(file, tmp_path, capsys):
+    precious = tmp_path / "a.mp4"
+    precious.write_bytes(b"precious")
+    assert main(["film", str(file), "--output", str(precious)]) == 2
+    assert "exists" in capsys.readouterr().err
+    assert precious.read_bytes() == b"precious"
+
+
+def test_player_stops_at_the_end_and_begins_anew():
+    player = Player(10.0)
+    player.advance(3.0)
+    assert player.t == 3.0
+    player.change_speed(1)
+    player.advance(1.0)
+    assert (player.t, player.speed) == (5.0, 2.0)
+    player.advance(60.0)
+    assert (player.t, player.playing) == (10.0, False)
+    player.toggle()
+    assert (player.t, player.playing) == (0.0, True)
+    for _ in range(20):
+        player.change_speed(-1)
+    assert player.speed == SPEEDS[0]
+
+
+@pytest.fixture
+def window(file, monkeypatch):
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    assert display_found()
+    recording = read_recording(file)
+    with Picture(recording.parameters, 640, 360) as picture:
+        yield ReplayWindow(recording, flown_again(recording, "lagrange"), picture, "chase")
+    pygame.display.quit()
+
+
+def press(window, key, mod=0):
+    pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=key, mod=mod))
+    window.poll()
+    window.paint()
+
+
+def test_window_answers_keys_and_mouse(window):
+    player = window.player
+    press(window, pygame.K_SPACE)
+    assert not player.playing
+    press(window, pygame.K_RIGHT)
+    press(window, pygame.K_RIGHT, pygame.KMOD_LSHIFT)
+    assert player.t == pytest.approx(1.01)
+    before = pygame.surfarray.array3d(pygame.display.get_surface())
+    press(window, pygame.K_v)
+    assert window.view == "pilot"
+    after = pygame.surfarray.array3d(pygame.display.get_surface())
+    assert np.abs(before.astype(int) - after).mean() > 5
+    press(window, pygame.K_END)
+    assert player.t == player.duration
+    # in the middle of the slider, which lies between button and numbers
+    middle = (48 + (640 - 250 - 48) // 2, 360 + 24)
+    pygame.event.post(pygame.event.Event(pygame.MOUSEBUTTONDOWN, button=1, pos=middle))
+    window.poll()
+    assert player.t == pytest.approx(player.duration / 2, rel=0.01)
+    press(window, pygame.K_ESCAPE)
+    assert window.leaving
+
+
+def test_no_display_is_said(file, monkeypatch, capsys):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+        monkeypatch.delenv(name, raising=False)
+    pygame.display.quit()
+    assert main(["replay", str(file)]) == 0
+    assert "kitemj film" in capsys.readouterr().out
+
+
+def test_the_ghost_of_another_model_is_there_until_a_line_is_slack(file):
+    recording = read_recording(file)
+    again = flown_again(recording, "lagrange")
+    source = Recorded(recording, again)
+    slack = np.flatnonzero(recording.columns["slack"])
+    assert slack[0] > 10
+    shot = source.shot(0.1, 1.0)
+    assert shot.ghost is not None
+    assert shot.readings.gap == pytest.approx(again.gaps[10])
+    late = source.shot((slack[0] + 1) * 0.01, 1.0)
+    assert late.ghost is None
+    assert late.readings.gap is None
