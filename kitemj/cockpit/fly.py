@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 import pygame
 
+from kitemj.cockpit.history import History
 from kitemj.cockpit.pacing import Pacer, Timekeeping
-from kitemj.cockpit.picture import Picture, Readings
-from kitemj.cockpit.screens import FRAME_RATE, Screen
+from kitemj.cockpit.picture import INSTRUMENTS, Picture, Readings
+from kitemj.cockpit.screens import FRAME_RATE, HELP, Screen, Wishes
 from kitemj.flight.live import TICK, LiveFlight
 from kitemj.recording.recorder import Recorder
 
@@ -57,24 +58,25 @@ def fly(
     """
     called = called or time.perf_counter()
     flight.warm_up()
-    pacer = Pacer(flight, recorder)
+    history = History(flight.parameters)
+    pacer = Pacer(flight, history, recorder)
     ending, recording = "left by the pilot", "none"
     frames, first, clock = 0, 0.0, pygame.time.Clock()
-    picture.paint(pacer.moment.motion, None, Readings(), screen.view)
+    picture.paint(pacer.moment.motion, None, Readings(), screen.wishes.view)
     pacer.start()
     begun = time.perf_counter()
     try:
-        while pacer.is_alive() and not screen.leaving:
-            wall = time.perf_counter() - begun
-            if duration is not None and wall >= duration:
+        while pacer.is_alive() and not screen.wishes.leaving:
+            painting = time.perf_counter()
+            if duration is not None and painting - begun >= duration:
                 ending = "as long as was asked"
                 break
             screen.poll()
-            pacer.command = screen.stick.command(pacer.moment.motion.t)
-            if screen.restarting:
-                pacer.restart()
-            _paint(pacer, picture, screen, wall)
+            pacer.command = screen.stick.command(pacer.moment.motion)
+            _grant(screen.wishes, pacer, picture)
+            _paint(pacer, picture, screen, painting - begun)
             frames += 1
+            history.add_frame(painting, time.perf_counter() - painting)
             first = first or time.perf_counter() - called
             clock.tick(FRAME_RATE)
     except KeyboardInterrupt:
@@ -90,9 +92,23 @@ def fly(
     return Summary(pacer.times.ticks * TICK, pacer.times, frames, wall, first, recording)
 
 
+def _grant(wishes: Wishes, pacer: Pacer, picture: Picture) -> None:
+    """What the person wants of time and picture."""
+    pacer.rate = wishes.rate
+    if wishes.restarting:
+        pacer.restart()
+    if wishes.stepping:
+        pacer.step()
+    if wishes.turn != (0.0, 0.0):
+        picture.orbit(*wishes.turn)
+    if wishes.zoom != 1.0:
+        picture.zoom(wishes.zoom)
+    picture.shown = set(INSTRUMENTS) if wishes.instruments else set()
+    wishes.forget_deeds()
+
+
 def _paint(pacer: Pacer, picture: Picture, screen: Screen, wall: float) -> None:
-    moment, times = pacer.moment, pacer.times
-    outside = moment.departure.ending.value if moment.departure else ""
+    moment, times, wishes = pacer.moment, pacer.times, screen.wishes
     disk = pacer.recorder.problem if pacer.recorder else ""
     readings = Readings(
         model=pacer.flight.kite.name,
@@ -101,7 +117,10 @@ def _paint(pacer: Pacer, picture: Picture, screen: Screen, wall: float) -> None:
         missed_ticks=times.missed,
         lateness=times.lateness,
         stick=screen.stick.name,
-        speed=times.ticks * TICK / wall if wall > 1.0 else 1.0,
-        message=screen.message or disk or outside,
+        speed=wishes.rate,
+        message=screen.message or disk,
+        traces=pacer.history.traces(time.perf_counter()),
+        help=HELP if wishes.help else (),
     )
-    screen.show(picture.paint(moment.motion, moment.reference, readings, screen.view), wall)
+    frame = picture.paint(moment.motion, moment.reference, readings, wishes.view)
+    screen.show(frame, wall)

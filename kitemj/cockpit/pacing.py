@@ -6,6 +6,7 @@ import threading
 import time
 from dataclasses import dataclass
 
+from kitemj.cockpit.history import History
 from kitemj.flight.live import TICK, Command, LiveFlight, Moment
 from kitemj.recording.recorder import Recorder
 from kitemj.recording.table import Tick
@@ -30,48 +31,75 @@ class Timekeeping:
     largest_gap: float = 0.0
     lost: float = 0.0
 
+    def note(self, lateness: float, allowed: float, gap: float) -> None:
+        """A tick that was done `lateness` [s] after it was due, with a `gap` [m]."""
+        self.ticks += 1
+        self.lateness = lateness
+        self.worst = max(self.worst, lateness)
+        self.missed += lateness > allowed
+        self.largest_gap = max(self.largest_gap, gap)
+
 
 class Pacer(threading.Thread):
     """Flies ticks as they come due; `command` is written to it, `moment` read from it.
 
-    Both are replaced whole, so neither side waits for the other. `error` holds what ended
-    the flight, if anything did; `recorder` is told of every tick.
+    Both are replaced whole, so neither side waits for the other. `rate` is simulated over
+    wall time: 1 is real time, 0 a pause; it may be changed at any moment. `error` holds what
+    ended the flight, if anything did; `history` and `recorder` are told of every tick.
     """
 
-    def __init__(self, flight: LiveFlight, recorder: Recorder | None = None) -> None:
+    def __init__(
+        self, flight: LiveFlight, history: History, recorder: Recorder | None = None
+    ) -> None:
         super().__init__(name="physics", daemon=True)
-        self.flight, self.recorder = flight, recorder
-        self.command = Command()
+        self.flight, self.history, self.recorder = flight, history, recorder
+        self.command, self.rate = Command(), 1.0
         self.times = Timekeeping()
         self.error: Exception | None = None
         self.moment: Moment = flight.restart()
-        self._record(self.command, self.moment, 0.0)
+        self._tell(self.command, 0.0)
         self._stopping = threading.Event()
         self._restarting = threading.Event()
+        self._stepping = threading.Event()
 
     def run(self) -> None:
         """Ticks until `stop`; the interpreter hands over at once when a tick is due."""
         sys.setswitchinterval(TICK / 20)
         gc.freeze()  # what is there already is not searched for garbage: 50 to 150 ms at a time
+        try:
+            while not self._stopping.is_set():
+                if self.rate > 0:
+                    self._keep_pace(self.rate)
+                elif self._stepping.wait(TICK):
+                    self._stepping.clear()
+                    self._tick(time.perf_counter())
+        except Exception as error:  # shown by whoever flies; a thread's own end is silent
+            self.error = error
+
+    def _keep_pace(self, rate: float) -> None:
+        """Ticks by the clock for as long as the rate stays."""
         origin, k = time.perf_counter(), 0
-        while not self._stopping.is_set():
-            due = origin + k * TICK
+        while self.rate == rate and not self._stopping.is_set():
+            due = origin + k * TICK / rate
             self._wait(due)
-            try:
-                if self._restarting.is_set():
-                    self._restarting.clear()
-                    self._record(Command(), self.flight.restart(), 0.0)
-                command = self.command
-                self.moment = self.flight.tick(command)
-            except Exception as error:  # shown by whoever flies; a thread's own end is silent
-                self.error = error
-                return
+            lateness = self._tick(due)
+            self.times.note(lateness, TICK / rate, self.moment.gap or 0.0)
             k += 1
-            lag = self._note(time.perf_counter() - due, self.moment)
-            self._record(command, self.moment, lag)
-            if lag > MAX_LAG:
-                origin += lag
-                self.times.lost += lag
+            if lateness > MAX_LAG:
+                origin += lateness
+                self.times.lost += lateness
+
+    def _tick(self, due: float) -> float:
+        """One tick; how much later than `due` [s] it was done."""
+        if self._restarting.is_set():
+            self._restarting.clear()
+            self.moment = self.flight.restart()
+            self._tell(Command(), 0.0)
+        command = self.command
+        self.moment = self.flight.tick(command)
+        lateness = time.perf_counter() - due
+        self._tell(command, lateness)
+        return lateness
 
     def stop(self) -> None:
         """Ends the flight after the tick that is under way."""
@@ -83,9 +111,14 @@ class Pacer(threading.Thread):
         """The flight begins anew with the next tick."""
         self._restarting.set()
 
-    def _record(self, command: Command, moment: Moment, lateness: float) -> None:
+    def step(self) -> None:
+        """One tick, while paused."""
+        self._stepping.set()
+
+    def _tell(self, command: Command, lateness: float) -> None:
+        flight, moment = self.flight, self.moment
+        self.history.add(time.perf_counter(), moment.motion, lateness)
         if self.recorder:
-            flight = self.flight
             control = flight.segment.control
             self.recorder.add(Tick(flight.ticks, control, command, moment, lateness))
 
@@ -93,12 +126,3 @@ class Pacer(threading.Thread):
     def _wait(due: float) -> None:
         while (left := due - time.perf_counter()) > 0:
             time.sleep(left)
-
-    def _note(self, lateness: float, moment: Moment) -> float:
-        times = self.times
-        times.ticks += 1
-        times.lateness = lateness
-        times.worst = max(times.worst, lateness)
-        times.missed += lateness > TICK
-        times.largest_gap = max(times.largest_gap, moment.gap or 0.0)
-        return lateness

@@ -21,7 +21,7 @@ from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import Vector, times
+from kitemj.physics.vectors import Vector, plus, times
 
 VIEWS: tuple[str, ...] = (*views.CAMERAS, "orbit")
 INSTRUMENTS: tuple[str, ...] = (*PANELS, "inset", "trail", "forces", "labels")
@@ -170,7 +170,8 @@ class Picture:
             aside, below, align = 0.0, 34.0, 0.0
         wind = self._instruments.wind_text(motion)
         if not self._label(surface, tail, wind, 20, (aside, below), align, taken):
-            self._label(surface, tip, wind, 20, (24.0, 0.0), 0.0, taken)
+            middle = times(0.5, plus(tail, tip))
+            self._label(surface, middle, wind, 20, (44.0, 14.0), 0.0, taken)
         step = ring_step(self.parameters.lines.length)
         for k in range(1, RINGS + 1):
             place = times(k * step, self._ring_direction(view))

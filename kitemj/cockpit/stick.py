@@ -7,7 +7,9 @@ from typing import Any, Protocol
 import pygame
 from pygame._sdl2 import controller
 
+from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
+from kitemj.flight.pilots import Pilot
 
 DEAD_ZONE = 0.08
 """Of full deflection; worn sticks do not come back to zero."""
@@ -28,8 +30,8 @@ class Stick(Protocol):
     def name(self) -> str:
         """What steers."""
 
-    def command(self, t: float) -> Command:
-        """What is asked for at `t` [s] of the flight."""
+    def command(self, motion: Motion) -> Command:
+        """What is asked for now; `motion` is what the pilot sees."""
 
 
 class ProgrammedStick:
@@ -41,9 +43,9 @@ class ProgrammedStick:
         self._rows, self._period = list(rows), period
         self._times = [row[0] for row in rows]
 
-    def command(self, t: float) -> Command:
-        """The row that holds at `t`."""
-        row = self._rows[bisect_right(self._times, t % self._period) - 1]
+    def command(self, motion: Motion) -> Command:
+        """The row that holds at the motion's time."""
+        row = self._rows[bisect_right(self._times, motion.t % self._period) - 1]
         return Command(row[1], row[2])
 
 
@@ -51,7 +53,16 @@ SHOW = ProgrammedStick(
     [(0.0, 0.0, 0.0), (2.0, 1.0, 0.0), (12.0, -1.0, 0.0), (28.0, 0.4, 0.0), (36.0, 0.0, 0.0)],
     period=40.0,
 )
-"""Right, left, a little right, centre: what flies where nobody can."""
+"""Right, left, a little right, centre: for a kite that only drifts."""
+
+
+class PilotStick:
+    """A pilot in a person's place."""
+
+    name = "pilot"
+
+    def __init__(self, pilot: Pilot) -> None:
+        self.command = pilot.command
 
 
 class PersonStick:
@@ -88,7 +99,7 @@ class PersonStick:
             middle = pygame.display.get_window_size()[0] / 2
             self._mouse = max(-1.0, min(1.0, (event.pos[0] - middle) / middle * 2))
 
-    def command(self, t: float) -> Command:
+    def command(self, motion: Motion) -> Command:
         """Where the stick is now."""
         if self._pads:
             return self._pad_command(list(self._pads.values())[-1])

@@ -9,6 +9,7 @@ from kitemj.commands.words import MODELS, Parser, add_picture, add_step, command
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
+    from kitemj.cockpit.stick import Stick
     from kitemj.flight.live import LiveFlight
     from kitemj.flight.scenario import Scenario
     from kitemj.recording.recorder import Recorder
@@ -27,10 +28,13 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     )
     parser.epilog = (
         "Left stick, arrow keys or A/D, or the mouse with its button held: the lines.\n"
-        "W/S or the right stick: let out and take in. V: view, R: start again, Esc: leave.\n\n"
+        "W/S or the right stick: let out and take in. F1 shows all keys, Esc leaves.\n\n"
         f"{parser.epilog}"
     )
     parser.add_argument("scenario", type=Path, nargs="?", help="a scenario file (TOML)")
+    parser.add_argument(
+        "--kite", default="sport", metavar="SET", help="without a scenario: sport, thesis or laksa"
+    )
     parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
     parser.add_argument("--headless", action="store_true", help="film a show, open no window")
     parser.add_argument("--film", type=Path, metavar="FILE.mp4", help="name of that film")
@@ -51,7 +55,7 @@ def run(words: argparse.Namespace) -> int:
     from kitemj.flight.live import LiveFlight
     from kitemj.flight.output import check_new
 
-    pixels, scenario = size(words.size), _scenario(words.scenario)
+    pixels, scenario = size(words.size), _scenario(words.scenario, words.kite)
     if words.duration is not None and not words.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {words.duration} s")
     if words.record:
@@ -60,15 +64,15 @@ def run(words: argparse.Namespace) -> int:
     if words.headless or not display_found():
         path, duration = _film_path(words), duration or SHOW_DURATION
         why = "as asked, no window" if words.headless else "there is no display"
-        print(f"{why}: a programmed stick flies {duration:g} s in real time into {path}")
+        print(f"{why}: a programme flies {duration:g} s in real time into {path}")
     flight = LiveFlight(scenario, words.model, step=words.step)
     with Picture(scenario.parameters, *pixels) as picture:
         screen: Screen = (
-            FilmScreen(path, *pixels, words.overwrite)
+            FilmScreen(path, *pixels, _show(scenario), words.overwrite)
             if path
             else Window(*pixels, f"kitemj: {scenario.source}")
         )
-        screen.view = words.view
+        screen.wishes.view = words.view
         recorder = _recorder(words, flight)
         print(fly(flight, picture, screen, duration, words.called, recorder))
     if path:
@@ -102,10 +106,22 @@ def _film_path(words: argparse.Namespace) -> Path:
     return path
 
 
-def _scenario(path: Path | None) -> "Scenario":
-    """The scenario of the file, or the kite of the thesis in its wind."""
+def _scenario(path: Path | None, kite: str) -> "Scenario":
+    """The scenario of the file, or the named kite in its own wind."""
     from kitemj.flight.scenario import read_scenario, scenario_of
 
     if path is not None:
         return read_scenario(path)
-    return scenario_of({"set": "thesis", "duration": 60.0}, "the thesis kite on 80 m lines")
+    return scenario_of({"set": kite, "duration": 60.0}, f"the kite {kite}")
+
+
+def _show(scenario: "Scenario") -> "Stick":
+    """Who flies where nobody can: eights with a kite that turns, else a table of the stick.
+
+    A kite turns where its nose follows its motion: C_nβ > 0.
+    """
+    from kitemj.cockpit.stick import SHOW, PilotStick
+    from kitemj.flight.pilots import Eight
+
+    turns = getattr(scenario.parameters.aero, "Cn_beta", 0.0) > 0
+    return PilotStick(Eight()) if turns else SHOW

@@ -4,6 +4,7 @@ import sys
 from pathlib import Path
 from random import Random
 
+from kitemj.cockpit.history import History
 from kitemj.cockpit.pacing import Pacer
 from kitemj.flight.live import Command, LiveFlight
 from kitemj.flight.scenario import scenario_of
@@ -60,7 +61,7 @@ def recorded(path, ticks, flight=None, stick=None, legs=1):
 if __name__ == "__main__":
     flight = live_flight()
     flight.warm_up()
-    pacer = Pacer(flight, recorder_of(flight, Path(sys.argv[1])))
+    pacer = Pacer(flight, History(flight.parameters), recorder_of(flight, Path(sys.argv[1])))
     pacer.start()
     print("flying", flush=True)
     pacer.join()

@@ -10,12 +10,13 @@ import numpy as np
 import pyarrow as pa
 import pytest
 
+from kitemj.cockpit.history import History
 from kitemj.cockpit.pacing import Pacer
 from kitemj.errors import InputError
-from kitemj.recording import recorder as recording_module
 from kitemj.flight.live import TICK, Command
 from kitemj.flight.output import COLUMNS, row
 from kitemj.flight.validity import Ending, departure_at
+from kitemj.recording import recorder as recording_module
 from kitemj.recording.file import read_recording
 from kitemj.recording.header import from_json, header_of, to_json
 from kitemj.recording.recorder import moment_name
@@ -178,7 +179,7 @@ def test_full_disk_is_said_and_nothing_before_is_lost(tmp_path, monkeypatch):
     monkeypatch.setattr(recording_module, "os", Disk(full_disk(room)))
     flight = live_flight()
     flight.warm_up()
-    pacer = Pacer(flight, recorder_of(flight, tmp_path / "kite.arrows"))
+    pacer = Pacer(flight, History(flight.parameters), recorder_of(flight, tmp_path / "kite.arrows"))
     pacer.start()
     time.sleep(1.7)
     assert "No space left" in pacer.recorder.problem
@@ -206,7 +207,7 @@ def test_slow_disk_makes_no_tick_late(tmp_path, monkeypatch):
     flight.warm_up()
     recorder = recorder_of(flight, tmp_path / "kite.arrows")
     monkeypatch.setattr(recording_module, "os", Disk(slow))
-    pacer = Pacer(flight, recorder)
+    pacer = Pacer(flight, History(flight.parameters), recorder)
     pacer.start()
     time.sleep(1.4)
     pacer.stop()

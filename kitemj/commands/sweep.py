@@ -1,0 +1,118 @@
+"""`kitemj sweep`: a study, on every core or on a cluster."""
+
+import argparse
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kitemj.commands.words import Parser, command
+from kitemj.errors import InputError
+
+if TYPE_CHECKING:
+    from kitemj.studies.crew import Crew
+    from kitemj.studies.journal import Journal
+
+LONG = 3600.0
+"""s; a study that seems to take longer is asked about."""
+MANY = 100_000
+"""Flights; so is one of more."""
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "sweep",
+        "fly a study, thousands of flights, and write a table with a row for each; "
+        "interrupted, the same command goes on where it was",
+        "kitemj sweep studies/wind_and_steering.toml --output study.parquet",
+    )
+    parser.add_argument("study", type=Path, help="a study file (TOML)")
+    parser.add_argument("--output", type=Path, required=True, metavar="FILE.parquet")
+    parser.add_argument("--overwrite", action="store_true", help="start anew, whatever there is")
+    parser.add_argument("--processes", type=int, metavar="N", help="default: one for each core")
+    parser.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="fly on a Dask cluster")
+    parser.add_argument("--yes", action="store_true", help="do not ask, however long it takes")
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.flight.output import check_new
+    from kitemj.studies.journal import Journal, completed_by
+    from kitemj.studies.study import read_study
+    from kitemj.studies.sweep import StudyStopped, check
+
+    study = read_study(words.study)
+    check(study)
+    journal = Journal(words.output, study)
+    if words.overwrite:
+        journal.path.unlink(missing_ok=True)
+    elif words.output.is_file() and completed_by(words.output, study):
+        print(f"{words.output} is complete: {study.design.count} flights")
+        return 0
+    check_new(words.output, words.overwrite)
+    safe = f"finished flights are safe in {journal.path}"
+    try:
+        with journal:
+            if journal.count:
+                print(f"going on after {journal.count} of {study.design.count} flights")
+            if journal.count < study.design.count:
+                _fly(words, journal)
+            failures = journal.write_table(words.output, words.overwrite)
+    except KeyboardInterrupt:
+        print(f"kitemj: interrupted; {safe}: the same command goes on", file=sys.stderr)
+        return 130
+    except StudyStopped as error:
+        print(f"kitemj: {error}; {safe}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        reason = error.strerror or error
+        print(f"kitemj: cannot write: {reason}; {safe}: mend that, run again", file=sys.stderr)
+        return 1
+    journal.path.unlink()
+    said = f"; {failures} could not be flown, see their reason" if failures else ""
+    print(f"{words.output}: {study.design.count} flights{said}")
+    return 0
+
+
+def _fly(words: argparse.Namespace, journal: "Journal") -> None:
+    from kitemj.studies.crew import dask_crew, local_crew
+    from kitemj.studies.sweep import sweep, tried
+
+    start = dask_crew(words.scheduler) if words.scheduler else local_crew(words.processes)
+    with start as crew:
+        cost = tried(journal)
+        left = len(journal.done) - journal.count
+        _ask(left, cost * left / crew.workers, crew, words.yes)
+        if left:
+            _with_progress(journal, lambda tell: sweep(journal, crew, cost, tell))
+
+
+def _ask(flights: int, seconds: float, crew: "Crew", yes: bool) -> None:
+    """Raises InputError unless a person agrees to a study that is very long."""
+    text = f"{flights} flights: about {_duration(seconds)} on {crew.name}"
+    if yes or (seconds < LONG and flights < MANY):
+        print(text)
+    elif not sys.stdin.isatty():
+        raise InputError(f"{text}; --yes if that is meant")
+    elif input(f"{text}. Fly them? [y/N] ").strip().lower() not in ("y", "yes"):
+        raise InputError("not flown; make the study smaller")
+
+
+def _duration(seconds: float) -> str:
+    for unit, size in (("days", 86400.0), ("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2 * size:
+            return f"{seconds / size:.0f} {unit}"
+    return f"{seconds:.0f} s"
+
+
+def _with_progress(journal: "Journal", fly: Callable[[Callable[[int], None]], None]) -> None:
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
+
+    columns = ("flights", MofNCompleteColumn(), BarColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("", total=len(journal.done), completed=journal.count)
+        fly(lambda done: progress.update(task, completed=done))
