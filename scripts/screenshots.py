@@ -1,0 +1,153 @@
+"""Makes the pictures of README and docs: each view, each instrument, two alarms, the help page.
+
+    python scripts/screenshots.py [FOLDER]       (docs/ if left out)
+
+Every picture is of a flight that was flown; nothing in it is drawn for the occasion.
+"""
+
+import sys
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from kitemj.cockpit.history import History, Traces
+from kitemj.cockpit.instruments import PANELS, Instruments
+from kitemj.cockpit.pacing import Pacer
+from kitemj.cockpit.picture import VIEWS, Picture, Readings
+from kitemj.cockpit.screens import HELP
+from kitemj.cockpit.stick import SHOW
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.compare import position_gap
+from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.scenario import Scenario, read_scenario, scenario_of
+from kitemj.flight.simulate import simulate
+from kitemj.physics.parameter_files import read_toml
+
+ROOT = Path(__file__).parent.parent
+SIZE = (1280, 720)
+SMALL = (960, 540)
+LOOP = ROOT / "scenarios" / "loops_20m.toml"
+LOOP_AT = 5.4  # s
+LIVE = 20.0  # s
+HARDER, SLACK_AT = 1.2, 2.6
+"""The loop with so much more δ, in which the outer line goes slack, and when [s]."""
+
+NOSE_UP: Mapping[str, Any] = {"set": "thesis", "duration": 3.0, "start": {"theta_deg": 25.0}}
+"""Let go with the nose 25° too high: beyond stall until the lines pitch it down."""
+
+
+class Flown(NamedTuple):
+    """A flight up to a moment, the reference there (while it is valid), what was remembered."""
+
+    scenario: Scenario
+    motion: Motion
+    reference: Motion | None
+    traces: Traces
+
+    @property
+    def shown(self) -> tuple[Motion, Motion | None, Readings]:
+        """What a picture is told."""
+        readings = Readings(
+            gap=position_gap(self.motion, self.reference) if self.reference else None,
+            delta_command=self.motion.control.delta,
+            stick="programme",
+            traces=self.traces,
+        )
+        return self.motion, self.reference, readings
+
+
+def flown(scenario: Scenario, until: float) -> Flown:
+    """Flies until that time [s]."""
+    times = scenario.times._replace(output_interval=TICK, duration=max(until, TICK))
+    scenario = replace(scenario, times=times)
+    row = round(until / TICK)
+    motions = simulate(scenario, "mujoco").motions[: row + 1]
+    taut = all(min(motion.tensions) > 0.0 for motion in motions)
+    reference = simulate(scenario, "lagrange").motions[row] if taut else None
+    history = History(scenario.parameters)
+    for motion in motions:
+        history.add(motion.t, motion)
+    return Flown(scenario, motions[-1], reference, history.traces(motions[-1].t))
+
+
+def save(folder: Path, name: str, frame: NDArray[np.uint8], size: tuple[int, int]) -> None:
+    """Writes `frame`, scaled to `size`."""
+    height, width = frame.shape[:2]
+    picture = pygame.image.frombuffer(frame.tobytes(), (width, height), "RGB")
+    if size != (width, height):
+        picture = pygame.transform.smoothscale(picture, size)
+    pygame.image.save(picture, folder / f"{name}.png")
+    print(folder / f"{name}.png")
+
+
+def live(folder: Path) -> None:
+    """20 s in real time, painted as fast as it goes: everything that the cockpit shows."""
+    flight = LiveFlight(scenario_of({"set": "thesis", "duration": LIVE + 1.0}, "live"))
+    flight.warm_up()
+    history = History(flight.parameters)
+    pacer = Pacer(flight, history)
+    with Picture(flight.parameters, *SIZE) as picture:
+        picture.paint(pacer.moment.motion, None, Readings())
+        pacer.start()
+        begun = time.perf_counter()
+        while time.perf_counter() < begun + LIVE:
+            start, moment = time.perf_counter(), pacer.moment
+            pacer.command = SHOW.command(moment.motion)
+            readings = Readings(
+                gap=moment.gap,
+                delta_command=moment.wish,
+                missed_ticks=pacer.times.missed,
+                lateness=pacer.times.lateness,
+                stick=SHOW.name,
+                traces=history.traces(start),
+            )
+            frame = picture.paint(moment.motion, moment.reference, readings)
+            history.add_frame(start, time.perf_counter() - start)
+        pacer.stop()
+        helped = picture.paint(moment.motion, None, readings._replace(help=HELP))
+    save(folder, "cockpit", frame, SIZE)
+    save(folder, "help", helped, SMALL)
+    box = Instruments(flight.parameters, *SIZE).box("chart")
+    save(folder, "instrument_chart", frame[box.top : box.bottom, box.left : box.right], box.size)
+
+
+def views_and_instruments(folder: Path) -> None:
+    """A loop from everywhere, and each panel alone."""
+    loop = flown(read_scenario(LOOP), LOOP_AT)
+    with Picture(loop.scenario.parameters, *SIZE) as picture:
+        for view in VIEWS:
+            save(folder, f"view_{view}", picture.paint(*loop.shown, view), SMALL)
+        frame = picture.paint(*loop.shown)
+    instruments = Instruments(loop.scenario.parameters, *SIZE)
+    for name in PANELS:
+        if name != "chart":
+            box = instruments.box(name)
+            part = frame[box.top : box.bottom, box.left : box.right]
+            save(folder, f"instrument_{name}", part, box.size)
+
+
+def alarms(folder: Path) -> None:
+    """Beyond a limit."""
+    harder = dict(read_toml(LOOP))
+    steering = harder["steering"]
+    harder["steering"] = {**steering, "delta": [HARDER * d for d in steering["delta"]]}
+    for name, tables, until, view in (
+        ("alarm_slack", harder, SLACK_AT, "chase"),
+        ("alarm_stall", NOSE_UP, 0.0, "pilot"),
+    ):
+        seen = flown(scenario_of(tables, name), until)
+        with Picture(seen.scenario.parameters, *SIZE) as picture:
+            save(folder, name, picture.paint(*seen.shown, view), SMALL)
+
+
+if __name__ == "__main__":
+    target = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs"
+    views_and_instruments(target)
+    alarms(target)
+    live(target)
