@@ -19,6 +19,9 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.add_argument(
         "--models", default=",".join(MODELS), metavar="A,B", help="the last one is the reference"
     )
+    parser.add_argument(
+        "--ladder", action="store_true", help="from accelerations to the order of convergence"
+    )
     parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="write the table as well")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE.md if it exists")
     add_step(parser)
@@ -28,18 +31,31 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(words: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.flight.compare import compare_models
-    from kitemj.flight.compare_table import print_table, write_markdown
-    from kitemj.flight.output import check_new
+    from kitemj.flight.compare_table import (
+        ladders_markdown,
+        markdown,
+        print_ladders,
+        print_table,
+    )
+    from kitemj.flight.ladder import ladder
+    from kitemj.flight.output import check_new, new_file
     from kitemj.flight.scenario import read_scenario
 
     if words.markdown:
         check_new(words.markdown, words.overwrite)
     scenarios = [read_scenario(path) for path in words.scenario]
-    models = words.models.split(",")
-    if len(models) < 2:
-        raise InputError(f"--models needs two or more, got {words.models!r}")
-    rows = [row for each in scenarios for row in compare_models(each, models, words.step)]
-    print_table(rows)
+    if words.ladder:
+        rungs = {each.source: ladder(each, words.step) for each in scenarios}
+        print_ladders(rungs)
+        text, good = ladders_markdown(rungs), all(r.holds for each in rungs.values() for r in each)
+    else:
+        models = words.models.split(",")
+        if len(models) < 2:
+            raise InputError(f"--models needs two or more, got {words.models!r}")
+        rows = [row for each in scenarios for row in compare_models(each, models, words.step)]
+        print_table(rows)
+        text, good = markdown(rows), all(row.agrees for row in rows)
     if words.markdown:
-        write_markdown(words.markdown, rows, words.overwrite)
-    return 0 if all(row.agrees for row in rows) else 1
+        with new_file(words.markdown, words.overwrite) as part:
+            part.write_text(text, encoding="utf-8")
+    return 0 if good else 1

@@ -99,7 +99,7 @@ class Engine(NamedTuple):
 def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
     """MjModel and MjData of ``models/kite.xml`` with the set's numbers, and the `Engine` on them.
 
-    `step` [s] sets how stiffly the lines hold: τ = 2 steps (k = 1/τ², b = 2/τ).
+    `step` [s] sets how stiffly the lines hold: τ = 4 steps (k = 1/τ², b = 2/τ).
     """
     kite, length = parameters.kite, parameters.lines.length
     spec = mujoco.MjSpec.from_file(str(model_file("kite.xml")))
@@ -119,7 +119,7 @@ def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
     spec.site("A_plus").pos = (kite.x_A, kite.y_A, kite.z_A)
     spec.site("A_minus").pos = (kite.x_A, -kite.y_A, kite.z_A)
     spec.geom("hull").size = (kite.chord / 2, kite.span / 2, HULL)
-    tau = 2 * step
+    tau = 4 * step
     for equality in spec.equalities:
         equality.solref = (-1 / tau**2, -2 / tau)
     model = spec.compile()

@@ -1,21 +1,24 @@
 """The Lagrangian model in flight: fixed steps beside a live flight, adaptive for a trajectory."""
 
 from math import ceil
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
+from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
 from kitemj.dynamics.lagrange import accelerations, body
 from kitemj.dynamics.motion import Motion, Pair, State, air_of
+from kitemj.dynamics.survey import COLUMNS, carry_law, moment_law, surveyed
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Programme, control, line_motion
 
-RTOL, ATOL = 1e-12, 1e-13
-"""Of q [rad] and q̇ [rad/s]: three orders below what 0.1 µm on a 200 m line asks for."""
+RTOL, TOLERANCE = 1e-12, 1e-13
+"""Relative and absolute error of a step, of q [rad] and q̇ [rad/s]: three orders below what
+0.1 µm on a 200 m line asks for."""
 
 
 @compiled
@@ -66,16 +69,6 @@ def flown(
 
 
 @compiled
-def derivative(
-    parameters: Parameters, programme: Programme, t: float, y: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """d/dt of y = (q, q̇), shape (8,), for integrators that want arrays."""
-    q, v = Angles(y[0], y[1], y[2], y[3]), Angles(y[4], y[5], y[6], y[7])
-    a = accelerations(parameters, control(programme, t), t, q, v).q_ddot
-    return np.array([v.phi, v.gamma, v.eta, v.theta, a.phi, a.gamma, a.eta, a.theta])
-
-
-@compiled
 def motion_at(parameters: Parameters, programme: Programme, t: float, state: State) -> Motion:
     """All that is asked of one instant."""
     c = control(programme, t)
@@ -86,10 +79,66 @@ def motion_at(parameters: Parameters, programme: Programme, t: float, state: Sta
     return Motion(t, state.q, pose, c, lengths, tensions, air_of(parameters, pose, t))
 
 
+class LagrangeFlight(NamedTuple):
+    """A flight with error control: x = (q, q̇) in `room`, `tolerance` of a step."""
+
+    parameters: Parameters
+    programme: Programme
+    room: Room
+    tolerance: float
+
+
+class LagrangeSystem(NamedTuple):
+    """What the right-hand side depends on."""
+
+    parameters: Parameters
+    programme: Programme
+
+
+@compiled
+def state_of(x: NDArray[np.float64]) -> State:
+    """The state of x = (q, q̇), shape (8,)."""
+    return State(Angles(x[0], x[1], x[2], x[3]), Angles(x[4], x[5], x[6], x[7]))
+
+
+@system_law.of(LagrangeSystem)
+@compiled
+def rates(
+    system: LagrangeSystem, t: float, x: NDArray[np.float64], out: NDArray[np.float64]
+) -> None:
+    """d/dt of x = (q, q̇) at time `t` [s], into `out` (8,)."""
+    q, v = state_of(x)
+    a = accelerations(system.parameters, control(system.programme, t), t, q, v).q_ddot
+    out[0], out[1], out[2], out[3] = v.phi, v.gamma, v.eta, v.theta
+    out[4], out[5], out[6], out[7] = a.phi, a.gamma, a.eta, a.theta
+
+
+@carry_law.of(LagrangeFlight)
+@compiled
+def carry(flight: LagrangeFlight, t: float, end: float) -> float:
+    """On from time `t` to `end` [s]; the time that was reached."""
+    system = LagrangeSystem(flight.parameters, flight.programme)
+    return carried(system, flight.room, t, end, flight.tolerance)
+
+
+@moment_law.of(LagrangeFlight)
+@compiled
+def moment(flight: LagrangeFlight, t: float) -> Motion:
+    """The flight at its present time `t` [s]."""
+    return motion_at(flight.parameters, flight.programme, t, state_of(flight.room.x))
+
+
+def derivative(t: float, x: NDArray[np.float64], system: LagrangeSystem) -> NDArray[np.float64]:
+    """d/dt of x = (q, q̇), (8,), for integrators that want a new array."""
+    out = np.empty(8)
+    rates(system, t, x, out)
+    return out
+
+
 class LagrangeKite:
     """Minimal coordinates: both lines are always straight, and push where they must.
 
-    `step` [s] is the longest step of `advance`; `trajectory` chooses its own.
+    `step` [s] is the longest step of `advance`; `trajectory` and `survey` choose their own.
     """
 
     name = "lagrange"
@@ -115,27 +164,45 @@ class LagrangeKite:
         return motion_at(self.parameters, programme, self.t, self.state)
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], by DOP853 with error control.
+        """The motion at each of `times` [s], by scipy's DOP853: an integrator of others.
 
-        Raises FlightError where the equations become singular (γ = ±90°) or diverge.
+        Raises FlightError, with what was flown until then, where the equations become
+        singular (γ = ±90°) or diverge.
         """
-        solution = solve_ivp(
-            lambda t, y: derivative(self.parameters, programme, t, y),
+        from scipy.integrate import solve_ivp
+
+        system, x = LagrangeSystem(self.parameters, programme), self._x()
+        if not np.isfinite(derivative(self.t, x, system)).all():  # scipy would never return
+            raise FlightError(self.name, self.t, "the motion is not a number", [])
+        found = solve_ivp(
+            derivative,
             (self.t, times[-1]),
-            np.array([*self.state.q, *self.state.q_dot]),
+            x,
             method="DOP853",
             t_eval=times,
             rtol=RTOL,
-            atol=ATOL,
+            atol=TOLERANCE,
+            args=(system,),
         )
-        motions = [
-            motion_at(self.parameters, programme, t, State(Angles(*y[:4]), Angles(*y[4:])))
-            for t, y in zip(solution.t, solution.y.T.tolist(), strict=True)
-        ]
-        if not solution.success:
-            raise FlightError("lagrange", float(solution.t[-1]), solution.message, motions)
-        self.t, self.state = (
-            times[-1],
-            State(Angles(*solution.y[:4, -1]), Angles(*solution.y[4:, -1])),
-        )
+        motions: list[Motion] = []
+        for self.t, x in zip(found.t.tolist(), found.y.T, strict=True):
+            self.state = state_of(np.ascontiguousarray(x))
+            motions.append(self.motion(programme))
+        if not found.success:
+            raise FlightError(self.name, self.t, found.message, motions)
         return motions
+
+    def survey(
+        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
+    ) -> NDArray[np.float64]:
+        """Rows of `surveyed` at `times` (n,) [s] from the start on; those that hold.
+
+        `tolerance` bounds the error of each step in q [rad] and q̇ [rad/s].
+        """
+        rows = np.empty((len(times), COLUMNS))
+        flight = LagrangeFlight(self.parameters, programme, room_for(self._x()), tolerance)
+        return rows[: surveyed(flight, self.parameters, times, touch, rows)]
+
+    def _x(self) -> NDArray[np.float64]:
+        """(q, q̇) in a row, (8,)."""
+        return np.array([*self.state.q, *self.state.q_dot])

@@ -2,6 +2,9 @@
 
 from typing import NamedTuple, Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles, angles
 from kitemj.physics.loads import Air, air
@@ -66,6 +69,14 @@ class Model(Protocol):
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], ascending, not before now; the last becomes now."""
+
+    def survey(
+        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
+    ) -> NDArray[np.float64]:
+        """The flight from its start through `times` (n,) [s] at one go: rows of a survey.
+
+        Fewer than n where it leaves the finite or comes lower than `touch` [m].
+        """
 
 
 HULL = 0.05

@@ -1,11 +1,12 @@
 """The Newton-Euler model in flight: fixed steps beside a live flight, adaptive for a trajectory."""
 
 from math import ceil
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
+from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
 from kitemj.dynamics.motion import Motion, Pair, State, air_of, angles_of
 from kitemj.dynamics.newton_euler import (
     Free,
@@ -16,6 +17,7 @@ from kitemj.dynamics.newton_euler import (
     placed,
     rates,
 )
+from kitemj.dynamics.survey import COLUMNS, carry_law, moment_law, surveyed
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Quaternion
@@ -23,34 +25,54 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Programme, control, line_motion
 from kitemj.physics.vectors import Vector
 
-RTOL, ATOL = 1e-12, 1e-12
+Array = NDArray[np.float64]
+
+TOLERANCE = 1e-12
 """Of each of the 13 numbers [m, 1, m/s, rad/s], for one adaptive step."""
 
 
+class NewtonEulerSystem(NamedTuple):
+    """What the right-hand side depends on."""
+
+    parameters: Parameters
+    programme: Programme
+
+
+class NewtonEulerFlight(NamedTuple):
+    """A flight with error control: the 13 numbers in `room`, `tolerance` of a step."""
+
+    parameters: Parameters
+    programme: Programme
+    room: Room
+    tolerance: float
+
+
 @compiled
-def flat(y: Free) -> NDArray[np.float64]:
-    """The 13 numbers in a row."""
+def put(y: Free, x: Array) -> None:
+    """The 13 numbers in a row, into `x` (13,)."""
     p, e, v, w = y
-    return np.array((p.x, p.y, p.z, e.w, e.x, e.y, e.z, v.x, v.y, v.z, w.x, w.y, w.z))
+    x[0], x[1], x[2] = p.x, p.y, p.z
+    x[3], x[4], x[5], x[6] = e.w, e.x, e.y, e.z
+    x[7], x[8], x[9] = v.x, v.y, v.z
+    x[10], x[11], x[12] = w.x, w.y, w.z
 
 
 @compiled
-def free(y: NDArray[np.float64]) -> Free:
-    """The inverse of `flat`."""
+def free(x: Array) -> Free:
+    """The inverse of `put`."""
     return Free(
-        Vector(y[0], y[1], y[2]),
-        Quaternion(y[3], y[4], y[5], y[6]),
-        Vector(y[7], y[8], y[9]),
-        Vector(y[10], y[11], y[12]),
+        Vector(x[0], x[1], x[2]),
+        Quaternion(x[3], x[4], x[5], x[6]),
+        Vector(x[7], x[8], x[9]),
+        Vector(x[10], x[11], x[12]),
     )
 
 
+@system_law.of(NewtonEulerSystem)
 @compiled
-def flat_rates(
-    t: float, y: NDArray[np.float64], parameters: Parameters, programme: Programme
-) -> NDArray[np.float64]:
-    """dy/dt of the 13 numbers in a row."""
-    return flat(rates(parameters, programme, t, free(y)))
+def put_rates(system: NewtonEulerSystem, t: float, x: Array, out: Array) -> None:
+    """d/dt of the 13 numbers `x` at time `t` [s], into `out` (13,)."""
+    put(rates(system.parameters, system.programme, t, free(x)), out)
 
 
 @compiled
@@ -69,10 +91,27 @@ def motion_of(parameters: Parameters, programme: Programme, t: float, y: Free) -
     )
 
 
+@carry_law.of(NewtonEulerFlight)
+@compiled
+def carry(flight: NewtonEulerFlight, t: float, end: float) -> float:
+    """On from time `t` to `end` [s] and back on the lines; the time that was reached."""
+    parameters, programme, room, tolerance = flight
+    reached = carried(NewtonEulerSystem(parameters, programme), room, t, end, tolerance)
+    put(corrected(parameters, programme, reached, free(room.x)), room.x)
+    return reached
+
+
+@moment_law.of(NewtonEulerFlight)
+@compiled
+def moment(flight: NewtonEulerFlight, t: float) -> Motion:
+    """The flight at its present time `t` [s]."""
+    return motion_of(flight.parameters, flight.programme, t, free(flight.room.x))
+
+
 class NewtonEulerKite:
     """A free body whose lines are always straight; they push where they must.
 
-    `step` [s] is the longest step of `advance`; `trajectory` chooses its own.
+    `step` [s] is the longest step of `advance`; `trajectory` and `survey` choose their own.
     """
 
     name = "newton-euler"
@@ -102,32 +141,30 @@ class NewtonEulerKite:
 
         Raises FlightError, with what was flown until then, where the integrator cannot go on.
         """
+        flight = self._adaptive(programme, TOLERANCE)
         motions: list[Motion] = []
         for time in times:
             if time > self.t:
-                try:
-                    self._y = self._carried(programme, time)
-                except ArithmeticError as error:
-                    raise FlightError(self.name, self.t, str(error), motions) from None
-                self.t = time
+                reached = carry(flight, self.t, time)
+                if reached < time:
+                    reason = "the motion is not a number, or too quick for any step"
+                    raise FlightError(self.name, self.t, reason, motions)
+                self.t, self._y = time, free(flight.room.x)
             motions.append(self.motion(programme))
         return motions
 
-    def _carried(self, programme: Programme, end: float) -> Free:
-        """The body taken from now to `end` [s] and put back on the lines."""
-        given = (self.parameters, programme)
-        # scipy never returns from a right-hand side that starts as not-a-number
-        if not np.isfinite(flat_rates(self.t, flat(self._y), *given)).all():
-            raise ArithmeticError("the motion is not a number")
-        found = solve_ivp(
-            flat_rates,
-            (self.t, end),
-            flat(self._y),
-            method="DOP853",
-            rtol=RTOL,
-            atol=ATOL,
-            args=given,
-        )
-        if not found.success:
-            raise ArithmeticError(found.message)
-        return corrected(*given, end, free(found.y[:, -1]))
+    def survey(
+        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
+    ) -> NDArray[np.float64]:
+        """Rows of `surveyed` at `times` (n,) [s] from the start on; those that hold.
+
+        `tolerance` bounds the error of each step in each of the 13 numbers.
+        """
+        rows = np.empty((len(times), COLUMNS))
+        flight = self._adaptive(programme, tolerance)
+        return rows[: surveyed(flight, self.parameters, times, touch, rows)]
+
+    def _adaptive(self, programme: Programme, tolerance: float) -> NewtonEulerFlight:
+        x = np.empty(13)
+        put(self._y, x)
+        return NewtonEulerFlight(self.parameters, programme, room_for(x), tolerance)

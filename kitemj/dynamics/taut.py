@@ -87,15 +87,13 @@ def evaluate(engine: Engine, parameters: Parameters, programme: Programme, t: fl
 
     forward(engine.model, engine.data)
 
-    a, alpha = engine.qacc[:3], engine.qacc[3:]
+    a = engine.qacc
     for i in range(2):
         if engine.eq_active[i]:
             stretch = engine.ten_length[i] - engine.ten_length_0[i] - engine.eq_data[i, 0]
             asked = -engine.damping[i] * engine.ten_velocity[i] - engine.stiffness[i] * stretch
             u_W, arm = world(lines[i].u_E), lines[i].arm_B
-            done = dot(u_W, Vector(a[0], a[1], a[2])) + dot(
-                arm, Vector(alpha[0], alpha[1], alpha[2])
-            )
+            done = dot(u_W, Vector(a[0], a[1], a[2])) + dot(arm, Vector(a[3], a[4], a[5]))
             engine.softness[i] = asked - done
 
 
@@ -145,5 +143,7 @@ def tensions(engine: Engine, parameters: Parameters, body: Body) -> Pair:
 @compiled
 def _constrained(engine: Engine, line: Line) -> float:
     """J (q̈ - q̈_smooth) [m/s²] of one line."""
-    d, u_W = engine.qacc - engine.qacc_smooth, world(line.u_E)
-    return dot(u_W, Vector(d[0], d[1], d[2])) + dot(line.arm_B, Vector(d[3], d[4], d[5]))
+    a, b, u_W = engine.qacc, engine.qacc_smooth, world(line.u_E)
+    linear = Vector(a[0] - b[0], a[1] - b[1], a[2] - b[2])
+    angular = Vector(a[3] - b[3], a[4] - b[4], a[5] - b[5])
+    return dot(u_W, linear) + dot(line.arm_B, angular)

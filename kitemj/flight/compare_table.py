@@ -1,6 +1,7 @@
-"""The comparison as a table: for a terminal, and as Markdown."""
+"""The comparison as a table, and the ladder: for a terminal, and as Markdown."""
 
-from pathlib import Path
+from collections.abc import Sequence
+from math import isnan
 
 from kitemj.flight.compare import (
     ATTITUDE_TOLERANCE,
@@ -8,7 +9,7 @@ from kitemj.flight.compare import (
     TENSION_TOLERANCE,
     Comparison,
 )
-from kitemj.flight.output import new_file
+from kitemj.flight.ladder import Rung
 
 HEADINGS = (
     "scenario",
@@ -23,6 +24,7 @@ HEADINGS = (
     "at [s]",
     "agree",
 )
+RUNG_HEADINGS = ("rung", "model", "measured", "limit", "unit", "holds")
 TOLERANCES = (
     f"Tolerances: position {POSITION_TOLERANCE * 1e6:g} µm, attitude "
     f"{ATTITUDE_TOLERANCE * 1e6:g} µrad, tension {TENSION_TOLERANCE * 1e3:g} mN. Compared until "
@@ -61,9 +63,39 @@ def print_table(rows: list[Comparison]) -> None:
     console.print(TOLERANCES)
 
 
-def write_markdown(path: Path, rows: list[Comparison], overwrite: bool = False) -> None:
-    """The table as Markdown."""
-    lines = [HEADINGS, ["---"] * len(HEADINGS), *(cells(row) for row in rows)]
-    text = "\n".join(f"| {' | '.join(line)} |" for line in lines)
-    with new_file(path, overwrite) as part:
-        part.write_text(f"{text}\n\n{TOLERANCES}\n", encoding="utf-8")
+def markdown(rows: list[Comparison]) -> str:
+    """The table as Markdown, with the tolerances below."""
+    return f"{_markdown_table(HEADINGS, [cells(row) for row in rows])}\n{TOLERANCES}\n"
+
+
+def print_ladders(ladders: dict[str, list[Rung]]) -> None:
+    """For each scenario (by its name) its rungs, in a terminal."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    for scenario, rungs in ladders.items():
+        table = Table(*RUNG_HEADINGS, title=scenario, title_justify="left", box=box.SIMPLE)
+        for rung in rungs:
+            table.add_row(*rung_cells(rung))
+        Console(width=None if Console().is_terminal else 140).print(table)
+
+
+def rung_cells(rung: Rung) -> list[str]:
+    """One rung, in the order of `RUNG_HEADINGS`."""
+    measured = "-" if isnan(rung.measured) else f"{rung.measured:.2g}"
+    limit = f"{'≥' if rung.at_least else '≤'} {rung.limit:g}"
+    return [rung.name, rung.model, measured, limit, rung.unit, "yes" if rung.holds else "NO"]
+
+
+def ladders_markdown(ladders: dict[str, list[Rung]]) -> str:
+    """The same as Markdown."""
+    return "\n".join(
+        f"**{scenario}**\n\n{_markdown_table(RUNG_HEADINGS, [rung_cells(r) for r in rungs])}"
+        for scenario, rungs in ladders.items()
+    )
+
+
+def _markdown_table(headings: Sequence[str], rows: list[list[str]]) -> str:
+    lines = [headings, ["---"] * len(headings), *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)

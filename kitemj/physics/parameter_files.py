@@ -6,11 +6,15 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import LinearAero, TableAero
 from kitemj.physics.checked import checked, in_radians, unknown_key
 from kitemj.physics.parameters import Environment, Kite, Limits, Lines, Parameters, StickLimits
 from kitemj.physics.wind import Wind
+
+ROUNDING = 1e-12
 
 SETS = Path(__file__).parent / "sets"
 AERO_LAWS: dict[str, type[LinearAero] | type[TableAero]] = {
@@ -107,9 +111,15 @@ def _check_together(parameters: Parameters, source: str) -> None:
             f"{kite.inertia_x * kite.inertia_z:g} kg² m⁴, got inertia_xz = {kite.inertia_xz} "
             f"kg m² ({source}, [kite])"
         )
-    moments = sorted((kite.inertia_x, kite.inertia_y, kite.inertia_z))
-    if kite.inertia_xz == 0 and moments[2] > moments[0] + moments[1]:
+    tensor = [
+        [kite.inertia_x, 0.0, -kite.inertia_xz],
+        [0.0, kite.inertia_y, 0.0],
+        [-kite.inertia_xz, 0.0, kite.inertia_z],
+    ]
+    moments = np.linalg.eigvalsh(tensor)
+    if 2 * moments[2] > (1 + ROUNDING) * moments.sum():
+        told = ", ".join(f"{moment:.6g}" for moment in moments)
         raise InputError(
-            f"no rigid body has the moments of inertia {moments} kg m²: the largest must be <= "
-            f"the sum of the other two ({source}, [kite])"
+            f"no rigid body has the principal moments of inertia {told} kg m²: the largest must "
+            f"be <= the sum of the other two ({source}, [kite])"
         )

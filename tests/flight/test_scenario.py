@@ -102,7 +102,11 @@ BAD = {
         r"steering\.delta has 1 values where steering\.t has 2",
     ),
     "no lift": ({"wind": {"speed": 0.5}}, r"no equilibrium"),
-    "impossible inertia": ({"kite": {"inertia_x": 99.0}}, r"no rigid body has the moments"),
+    "impossible inertia": (
+        {"kite": {"inertia_x": 99.0}},
+        r"no rigid body has the principal moments",
+    ),
+    "skewed inertia": ({"kite": {"inertia_xz": 2.0}}, r"no rigid body has the principal moments"),
 }
 
 

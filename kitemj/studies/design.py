@@ -1,0 +1,181 @@
+"""Which flights a study holds: a list, a grid and a Latin hypercube, multiplied together."""
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from kitemj.errors import InputError
+
+Point = dict[str, Any]
+"""Dotted names (``wind.speed``, ``model``) and the values that one flight gives them."""
+
+
+MOST = 10_000_000
+"""Flights in a study; a week of a desktop's cores."""
+
+
+class Choices:
+    """Points given one by one."""
+
+    def __init__(self, points: Sequence[Point]) -> None:
+        self.points, self.count = points, len(points)
+        self.names = list(dict.fromkeys(name for point in points for name in point))
+
+    def point(self, i: int) -> Point:
+        """The point `i`, from 0 on."""
+        return self.points[i]
+
+    def is_number(self, name: str) -> bool:
+        """Whether every value that `name` is given is a number."""
+        return all(_number(point[name]) for point in self.points if name in point)
+
+
+class Hypercube:
+    """`count` points in the box of `ranges`, each range cut into `count` slices used once."""
+
+    def __init__(self, count: int, seed: int, ranges: Mapping[str, tuple[float, float]]) -> None:
+        self.count, self.seed, self.ranges = count, seed, dict(ranges)
+        self.names = list(ranges)
+
+    @cached_property
+    def _samples(self) -> Any:
+        from scipy.stats import qmc
+
+        unit = qmc.LatinHypercube(d=len(self.ranges), rng=self.seed).random(self.count)
+        low, high = np.array(list(self.ranges.values())).T
+        return low + (high - low) * unit
+
+    def point(self, i: int) -> Point:
+        """The point `i`, from 0 on."""
+        return dict(zip(self.names, self._samples[i].tolist(), strict=True))
+
+    def is_number(self, name: str) -> bool:
+        """Whether every value that `name` is given is a number."""
+        return name in self.ranges
+
+
+class Design:
+    """Every combination of the `factors`; the last one changes the quickest."""
+
+    def __init__(self, factors: Sequence[Choices | Hypercube]) -> None:
+        self.factors = factors
+        self.count = prod(factor.count for factor in factors)
+        self.names = [name for factor in factors for name in factor.names]
+
+    def point(self, flight: int) -> Point:
+        """What flight `flight`, from 0 on, is given."""
+        point: Point = {}
+        for factor in reversed(self.factors):
+            flight, i = divmod(flight, factor.count)
+            point = {**factor.point(i), **point}
+        return point
+
+    def is_number(self, name: str) -> bool:
+        """Whether every value that `name` is given is a number."""
+        return any(name in each.names and each.is_number(name) for each in self.factors)
+
+
+def design_of(tables: Mapping[str, Any], source: str) -> Design:
+    """The design of the tables ``list``, ``grid`` and ``hypercube`` of a study file.
+
+    Raises InputError for what is empty, given twice, or not a range.
+    """
+    factors: list[Choices | Hypercube] = []
+    if "list" in tables:
+        factors.append(Choices(_list(tables["list"], source)))
+    for name, values in _flat(_table(tables, "grid", source)).items():
+        factors.append(Choices([{name: value} for value in _axis(name, values, source)]))
+    if "hypercube" in tables:
+        factors.append(_hypercube(_table(tables, "hypercube", source), source))
+    if not factors:
+        raise InputError(f"nothing is varied: give [[list]], [grid] or [hypercube] ({source})")
+    design = Design(factors)
+    for name in design.names:
+        if design.names.count(name) > 1:
+            raise InputError(f"{name} is varied twice: keep one ({source})")
+    if design.count > MOST:
+        raise InputError(f"{design.count} flights are too many: at most {MOST} ({source})")
+    return design
+
+
+def _table(tables: Mapping[str, Any], name: str, source: str) -> Mapping[str, Any]:
+    table = tables.get(name, {})
+    if not isinstance(table, Mapping):
+        raise InputError(f"{name} must be a table of named values, got {table!r} ({source})")
+    if name in tables and not table:
+        raise InputError(f"[{name}] is empty: name what it varies, or leave it out ({source})")
+    return table
+
+
+def _flat(table: Mapping[str, Any]) -> Point:
+    """``{"wind": {"speed": v}}`` as ``{"wind.speed": v}``; a range stays what it is."""
+    flat: Point = {}
+    for name, value in table.items():
+        if isinstance(value, Mapping) and not {"from", "to"} & set(value):
+            flat.update({f"{name}.{key}": v for key, v in _flat(value).items()})
+        else:
+            flat[name] = value
+    return flat
+
+
+def _list(entries: Any, source: str) -> list[Point]:
+    if not isinstance(entries, list) or not all(isinstance(each, Mapping) for each in entries):
+        raise InputError(f"list must be [[list]] tables, one for each flight ({source})")
+    if not entries:
+        raise InputError(f"list is empty: give one [[list]] table for each flight ({source})")
+    return [_flat(each) for each in entries]
+
+
+def _axis(name: str, values: Any, source: str) -> list[Any]:
+    if isinstance(values, Mapping):
+        if set(values) != {"from", "to", "count"}:
+            raise InputError(
+                f"grid.{name} must have from, to and count, got {', '.join(values)} ({source})"
+            )
+        low, high = _ends((values["from"], values["to"]), f"grid.{name}", source)
+        count = _count(values["count"], f"grid.{name}.count", source)
+        return list(map(float, np.linspace(low, high, count)))
+    if not isinstance(values, list):
+        raise InputError(
+            f"grid.{name} must be a list of values or {{ from, to, count }}, got {values!r} "
+            f"({source})"
+        )
+    if not values:
+        raise InputError(f"grid.{name} is empty: give it one value or more ({source})")
+    return values
+
+
+def _hypercube(table: Mapping[str, Any], source: str) -> Hypercube:
+    given = dict(table)
+    count = _count(given.pop("count", None), "hypercube.count", source)
+    seed = given.pop("seed", 0)
+    if not isinstance(seed, int) or isinstance(seed, bool) or seed < 0:
+        raise InputError(f"hypercube.seed must be a whole number >= 0, got {seed!r} ({source})")
+    if not given:
+        raise InputError(f'[hypercube] varies nothing: add "kite.mass" = [3.0, 5.0] ({source})')
+    ranges = {name: _ends(ends, f"hypercube.{name}", source) for name, ends in _flat(given).items()}
+    return Hypercube(count, seed, ranges)
+
+
+def _count(value: Any, name: str, source: str) -> int:
+    if not isinstance(value, int) or isinstance(value, bool) or value < 1:
+        raise InputError(f"{name} must be a whole number >= 1, got {value!r} ({source})")
+    if value > MOST:
+        raise InputError(f"{name} must be <= {MOST}, got {value} ({source})")
+    return value
+
+
+def _ends(value: Any, name: str, source: str) -> tuple[float, float]:
+    pair = isinstance(value, (list, tuple)) and len(value) == 2
+    if not pair or not all(_number(end) for end in value) or not value[0] < value[1]:
+        raise InputError(
+            f"{name} must be two numbers, the lower one first, got {value!r} ({source})"
+        )
+    return float(value[0]), float(value[1])
+
+
+def _number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and np.isfinite(value)

@@ -1,0 +1,133 @@
+"""A study file: a scenario, how it is flown, and what is varied."""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from copy import deepcopy
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, NamedTuple
+
+from kitemj.errors import InputError
+from kitemj.flight.scenario import Offsets, Table, Times
+from kitemj.flight.simulate import DEFAULT_STEP, MAX_STEP, MODELS
+from kitemj.physics.aerodynamics import LinearAero, TableAero
+from kitemj.physics.checked import checked, unknown_key
+from kitemj.physics.compiled import cache_folder
+from kitemj.physics.parameter_files import SECTIONS, read_toml
+from kitemj.physics.quantity import Quantity
+from kitemj.physics.steering import Sines
+from kitemj.studies.design import Design, Point, design_of
+
+VARIED = ("list", "grid", "hypercube")
+
+
+class Settings(NamedTuple):
+    """How a flight is flown; each of these can be varied, too."""
+
+    model: Annotated[str, Quantity("", "the model that flies")] = "mujoco"
+    step: Annotated[float, Quantity("s", "longest step of mujoco", gt=0, le=MAX_STEP)] = (
+        DEFAULT_STEP
+    )
+    tolerance: Annotated[
+        float, Quantity("", "error of a step of lagrange and newton-euler", ge=1e-14, le=1e-3)
+    ] = 1e-8
+    reference: Annotated[str, Quantity("", 'the model to keep beside it; "": none')] = ""
+
+
+class Base(NamedTuple):
+    """What the flights of a study have in common; goes to every worker. Tables as in TOML."""
+
+    source: str
+    scenario: dict[str, Any]
+    settings: dict[str, Any]
+
+    def at(self, point: Point) -> tuple[dict[str, Any], Settings]:
+        """The scenario's tables and the settings of one flight; InputError for bad settings."""
+        tables, settings = deepcopy(self.scenario), dict(self.settings)
+        for name, value in point.items():
+            section, _, field = name.partition(".")
+            if field:
+                table = tables.setdefault(section, {})
+                table.pop(_twin(field), None)
+                table[field] = value
+            elif section in Settings._fields:
+                settings[section] = value
+            else:
+                tables[section] = value
+        return tables, _settings(settings, self.source)
+
+
+@dataclass(frozen=True)
+class Study:
+    """What all flights share, and what each of them is given."""
+
+    base: Base
+    design: Design
+    digest: str
+
+
+def read_study(path: Path) -> Study:
+    """The study in a TOML file; raises InputError with one sentence for what is wrong.
+
+    Its digest changes with whatever changes a result: the file, its scenario, the formulas.
+    """
+    tables, source = read_toml(path), path.name
+    known = ["scenario", *Settings._fields, *VARIED]
+    for name in tables:
+        if name not in known:
+            raise unknown_key(name, known, "", source)
+    scenario = tables.get("scenario", {})
+    if isinstance(scenario, str):
+        scenario = read_toml(path.parent / scenario)
+    if not isinstance(scenario, dict):
+        raise InputError(f"scenario must be the name of a file or a table ({source})")
+    settings = {name: tables[name] for name in Settings._fields if name in tables}
+    study = Study(
+        Base(source, scenario, settings),
+        design_of({name: tables[name] for name in VARIED if name in tables}, source),
+        _digest(scenario, tables),
+    )
+    for name in study.design.names:
+        _check_name(name, source)
+    _settings(settings, source)
+    return study
+
+
+def _digest(*parts: Any) -> str:
+    text = json.dumps([*parts, cache_folder().name], sort_keys=True, default=str)
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _settings(given: Mapping[str, Any], source: str) -> Settings:
+    numbers = {k: float(v) if isinstance(v, int) else v for k, v in given.items()}
+    settings = checked(Settings, numbers, "", source)
+    for key in ("model", "reference"):
+        model = getattr(settings, key)
+        if model not in MODELS and (key, model) != ("reference", ""):
+            raise InputError(f"there is no {key} {model!r}; there are: {', '.join(MODELS)}")
+    return settings
+
+
+def _twin(field: str) -> str:
+    """The other name of an angle: in rad, in degrees."""
+    return field.removesuffix("_deg") if field.endswith("_deg") else f"{field}_deg"
+
+
+def _check_name(name: str, source: str) -> None:
+    """Raises InputError for what no scenario and no setting is called."""
+    section, dot, field = name.partition(".")
+    kinds: dict[str, Any] = SECTIONS
+    sections: dict[str, tuple[str, ...]] = {
+        "aero": ("law", *LinearAero._fields, *TableAero._fields),
+        "steering": ("programme", *Sines._fields, *Table._fields),
+        "start": ("at", *Offsets._fields),
+        **{key: kind._fields for key, kind in kinds.items()},
+    }
+    whole = ["set", *Times._fields, *Settings._fields]
+    if not dot and section not in (*whole, *sections):
+        raise unknown_key(name, [*whole, *sections], "", source)
+    if dot and section not in sections:
+        raise unknown_key(section, list(sections), "", source)
+    if dot and field.removesuffix("_deg") not in sections[section]:
+        raise unknown_key(field, list(sections[section]), section, source)

@@ -1,0 +1,137 @@
+"""A study flown: batches out, rows in, and a worker's death no end of it."""
+
+from collections.abc import Callable, Iterator
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
+from time import perf_counter
+
+from kitemj.errors import InputError
+from kitemj.flight.scenario import scenario_of
+from kitemj.studies.crew import Crew
+from kitemj.studies.design import Point
+from kitemj.studies.flights import Row, failed, fly
+from kitemj.studies.journal import Journal
+from kitemj.studies.study import Study
+
+Batch = list[tuple[int, Point]]
+
+BATCH_TIME = 0.5
+"""s of work given out at once: long beside the giving, short beside a person's patience."""
+MOST = 500
+"""Flights in a batch."""
+
+
+class StudyStopped(RuntimeError):  # noqa: N818  says what happened
+    """Workers that cannot work at all, in one sentence; finished flights are kept."""
+
+
+def check(study: Study) -> None:
+    """Raises InputError where neither the first, the middle nor the last flight can begin."""
+    errors = []
+    for flight in {0, study.design.count // 2, study.design.count - 1}:
+        try:
+            scenario_of(study.base.at(study.design.point(flight))[0], study.base.source)
+        except InputError as error:
+            errors.append(error)
+        else:
+            return
+    raise errors[0]
+
+
+def tried(journal: Journal, count: int = 3) -> float:
+    """Flies up to `count` of what remains, here and now; the mean time [s] of a flight.
+
+    They are rows like all others. The first warms up, and counts only if it is alone.
+    """
+    remaining = list(journal.remaining())
+    last = len(remaining) - 1
+    costs = []
+    for i in sorted({k * last // max(1, count - 1) for k in range(count)}):
+        started = perf_counter()
+        row = fly(journal.study.base, remaining[i], journal.study.design.point(remaining[i]))
+        costs.append(perf_counter() - started)
+        journal.add([row])
+    return sum(costs[1:]) / len(costs[1:]) if len(costs) > 1 else costs[0]
+
+
+def sweep(
+    journal: Journal, crew: Crew, cost: float, tell: Callable[[int], None] = lambda done: None
+) -> None:
+    """Flies all that remains; `cost` [s] is what a flight is believed to take.
+
+    `tell` is called with the number of flights done. On KeyboardInterrupt what is in the air
+    is landed and kept. Raises StudyStopped where workers cannot work at all.
+    """
+    left = len(journal.done) - journal.count
+    size = max(1, min(MOST, int(BATCH_TIME / max(cost, 1e-6)), left // (16 * crew.workers)))
+    aloft: dict[Future[list[Row]], Batch] = {}
+    suspects: Batch = []
+    try:
+        for batch in _batches(journal, size):
+            while len(aloft) >= 2 * crew.workers:
+                suspects += _landed(journal, crew, aloft)
+                tell(journal.count)
+            try:
+                aloft[crew.submit(journal.study.base, batch)] = batch
+            except crew.deaths:  # a worker died since; those aloft are suspects, this one is not
+                suspects += _landed(journal, crew, aloft)
+                aloft[crew.submit(journal.study.base, batch)] = batch
+        while aloft:
+            suspects += _landed(journal, crew, aloft)
+            tell(journal.count)
+        for flight, point in suspects:
+            _alone(journal, crew, flight, point)
+            tell(journal.count)
+    except KeyboardInterrupt:
+        flying = [future for future in aloft if not future.cancel()]
+        for future in wait(flying, timeout=20 * BATCH_TIME).done:
+            if not future.cancelled() and future.exception() is None:
+                journal.add(future.result())
+        raise
+
+
+def _batches(journal: Journal, size: int) -> Iterator[Batch]:
+    flights = list(journal.remaining())
+    for start in range(0, len(flights), size):
+        yield [(i, journal.study.design.point(i)) for i in flights[start : start + size]]
+
+
+def _landed(journal: Journal, crew: Crew, aloft: dict[Future[list[Row]], Batch]) -> Batch:
+    """Takes in what has landed; flights that were aloft when a worker died are returned."""
+    landed = wait(aloft, return_when=FIRST_COMPLETED).done
+    lost = any(isinstance(_error(future), crew.deaths) for future in landed)
+    suspects: Batch = []
+    for future in wait(aloft).done if lost else landed:
+        batch = aloft.pop(future)
+        if isinstance(_error(future), crew.deaths):
+            suspects += batch
+        else:
+            journal.add(_rows(future))
+    if lost:
+        crew.renew()
+    return suspects
+
+
+def _error(future: Future[list[Row]]) -> BaseException | None:
+    return None if future.cancelled() else future.exception()
+
+
+def _rows(future: Future[list[Row]]) -> list[Row]:
+    """What a future holds. A flight never raises, so what does is the worker's own trouble."""
+    try:
+        return future.result()
+    except (Exception, CancelledError) as error:
+        raise StudyStopped(
+            f"a worker cannot fly ({type(error).__name__}: {error}); "
+            f"every worker needs the same kitemj as this machine"
+        ) from None
+
+
+def _alone(journal: Journal, crew: Crew, flight: int, point: Point) -> None:
+    """One flight at a time, to find out which of them ends the process that flies it."""
+    future = crew.submit(journal.study.base, [(flight, point)])
+    wait([future])
+    if isinstance(_error(future), crew.deaths):
+        journal.add([failed(flight, point, "the process that flew it died, twice")])
+        crew.renew()
+    else:
+        journal.add(_rows(future))

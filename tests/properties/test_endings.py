@@ -1,0 +1,87 @@
+"""Every way in which a flight can end, or leave what the model vouches for, has its sentence."""
+
+import re
+
+import pytest
+
+from kitemj.flight.scenario import scenario_of
+from kitemj.flight.simulate import Flight, simulate
+from kitemj.flight.validity import Ending
+
+STEP = 0.02
+"""s; endings do not ask for accuracy."""
+CALM = {"set": "laksa", "duration": 3.0}
+SMALL = {
+    "kite": {
+        **{"mass": 0.22, "inertia_x": 0.03, "inertia_y": 0.006, "inertia_z": 0.035},
+        **{"chord": 0.45, "span": 1.7, "area": 0.6, "x_A": 0.05, "y_A": 0.3, "z_A": 0.3},
+    },
+    "aero": {"Cn_beta": 0.5, "Cy_beta": -3.0},
+    "lines": {"length": 20.0},
+    "wind": {"speed": 6.0},
+}
+
+
+def flown(changes: dict, model: str = "mujoco") -> Flight:
+    return simulate(scenario_of({**CALM, **changes}, "test.toml"), model, STEP)
+
+
+def assert_departs(flight: Flight, ending: Ending, reading: str) -> None:
+    assert flight.departure.ending is ending
+    assert re.fullmatch(
+        rf"t = \d+\.\d\d s: {re.escape(ending.value)} \({reading}\)", str(flight.departure)
+    )
+
+
+def test_finished():
+    flight = flown({})
+    assert flight.ending is Ending.FINISHED
+    assert flight.departure is None
+    assert flight.motions[-1].t == CALM["duration"]
+
+
+@pytest.mark.parametrize("model", ["mujoco", "lagrange", "newton-euler"])
+def test_slack(model):
+    nose_down = {"start": {"theta_deg": -12.0}}
+    flight = flown(nose_down, model)
+    assert_departs(flight, Ending.SLACK, r"left -?[\d.]+ N, right -?[\d.]+ N")
+
+
+def test_slack_lines_of_the_engine_do_not_push():
+    flight = flown({"start": {"theta_deg": -12.0}})
+    later = [T for motion in flight.motions[1:] for T in motion.tensions]
+    assert min(later) == 0.0, "slack"
+    assert max(later) > 0.0, "and caught again"
+
+
+def test_stall():
+    flight = flown({"start": {"theta_deg": 25.0}})
+    assert_departs(flight, Ending.STALL, r"α = 32\.75°, α_stall = 25°")
+
+
+def test_sideslip():
+    flight = flown({"start": {"phi_dot": 0.03}})
+    assert_departs(flight, Ending.SIDESLIP, r"β = -1\d\.\d\d°, β_max = 15°")
+
+
+@pytest.mark.parametrize("model", ["mujoco", "lagrange", "newton-euler"])
+def test_ground(model):
+    flight = flown({**SMALL, "duration": 8.0, "steering": {"delta": 0.1}}, model)
+    assert flight.ending is Ending.GROUND
+    assert 3.0 < flight.motions[-1].t < 5.0
+    assert -flight.motions[-1].body.p_G_E.z < SMALL["kite"]["span"]
+
+
+def test_diverged():
+    flight = flown({"wind": {"speed": 3000.0}, "start": {"phi_dot": 1000.0}})
+    assert flight.ending is Ending.DIVERGED
+    assert flight.note == (
+        "mujoco cannot fly on after t = 0.100 s: the state is no longer finite; shorten --step"
+    )
+    assert len(flight.motions) == 1, "what was flown until then is kept"
+
+
+@pytest.mark.parametrize("ending", Ending)
+def test_a_sentence_is_for_people(ending):
+    assert len(ending.value.split()) > 4
+    assert not ending.value.endswith(".")

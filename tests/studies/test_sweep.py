@@ -1,0 +1,279 @@
+"""Flights by the thousand, in small: none lost, none twice, the same on any crew."""
+
+import errno
+import json
+import os
+from concurrent.futures import BrokenExecutor, Future
+from multiprocessing import active_children
+
+import pyarrow.parquet as pq
+import pytest
+
+from kitemj.cli import main
+from kitemj.errors import InputError
+from kitemj.flight.compare import compare
+from kitemj.flight.scenario import scenario_of
+from kitemj.flight.simulate import simulate
+from kitemj.studies import crew as crews
+from kitemj.studies.crew import dask_crew, local_crew
+from kitemj.studies.flights import fly, fly_all
+from kitemj.studies.journal import Journal
+from kitemj.studies.study import read_study
+from kitemj.studies.sweep import StudyStopped, sweep
+
+STUDY = """
+reference = "newton-euler"
+step = 0.01
+
+[scenario]
+duration = 3.0
+output_interval = 0.1
+steering = { programme = "sine", delta_frequency = 0.2 }
+
+[grid]
+model = ["mujoco", "lagrange"]
+"wind.speed" = [0.0, 6.0, 8.0]
+"steering.delta_amplitude_deg" = [2.0, 4.0, 6.0]
+"""
+FLIGHTS = 18
+SMALL_COST = 0.2
+"""s; makes batches of two flights."""
+
+
+class HereCrew:
+    """Flies at once, in this process; dies of the flights it is told to."""
+
+    workers, name, deaths = 1, "here", (BrokenExecutor,)
+
+    def __init__(self, deadly=()):
+        self.deadly, self.flown, self.renewed = set(deadly), [], 0
+
+    def submit(self, base, flights):
+        future = Future()
+        numbers = [flight for flight, _ in flights]
+        if self.deadly & set(numbers):
+            future.set_exception(BrokenExecutor("gone"))
+        else:
+            self.flown += numbers
+            future.set_result(fly_all(base, flights))
+        return future
+
+    def renew(self):
+        self.renewed += 1
+
+
+@pytest.fixture
+def study(tmp_path):
+    (tmp_path / "study.toml").write_text(STUDY)
+    return read_study(tmp_path / "study.toml")
+
+
+def flown(study, table, crew, tell=lambda done: None):
+    """The rows of the finished table, without what they cost."""
+    with Journal(table, study) as journal:
+        sweep(journal, crew, SMALL_COST, tell)
+        journal.write_table(table, overwrite=True)
+    rows = pq.read_table(table).to_pylist()
+    return [{k: v for k, v in row.items() if k != "cost_s"} for row in rows]
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory):
+    """The study flown with nothing in the way."""
+    folder = tmp_path_factory.mktemp("plain")
+    (folder / "study.toml").write_text(STUDY)
+    return flown(read_study(folder / "study.toml"), folder / "a.parquet", HereCrew())
+
+
+def test_a_row_says_what_simulate_and_compare_say(study, plain):
+    row = plain[8]
+    tables, settings = study.base.at(study.design.point(8))
+    scenario = scenario_of(tables, "x")
+    flight = simulate(scenario, "mujoco", settings.step)
+    reference = simulate(scenario, "newton-euler")
+    pulls = [motion.tensions.plus for motion in flight.motions]
+    betas = [motion.air.beta for motion in flight.motions]
+    assert (row["wind.speed"], row["steering.delta_amplitude_deg"]) == (8.0, 6.0)
+    assert row["ending"] == "finished"
+    assert (row["tension_plus_min_N"], row["tension_plus_max_N"]) == (min(pulls), max(pulls))
+    assert row["beta_max_deg"] == pytest.approx(max(betas) * 57.29577951308232)
+    gap = compare(flight, reference).position.value
+    assert row["gap_max_m"] == pytest.approx(gap, rel=1e-3)
+    assert 0 < row["gap_max_m"] < 1e-4
+    if flight.departure:
+        assert row["departure_t_s"] == flight.departure.t
+        assert row["departure"] == flight.departure.ending.name.lower()
+    else:
+        assert row["departure"] is None
+
+
+def test_a_flight_that_fails_is_a_row_with_its_reason(plain):
+    assert [row["flight"] for row in plain] == list(range(FLIGHTS))
+    for row in plain:
+        if row["wind.speed"] == 0.0:  # nothing holds the kite up, so there is no start
+            assert row["ending"] == "failed"
+            assert "wind" in row["reason"]
+        else:
+            assert row["ending"] == "finished"
+            assert row["reason"] is None
+
+
+def test_two_processes_make_the_same_table_though_one_is_killed(study, plain, tmp_path):
+    killed = []
+
+    def kill_one(done):
+        if not killed:
+            killed.append(active_children()[0])
+            killed[0].kill()
+
+    with local_crew(2) as crew:
+        assert flown(study, tmp_path / "b.parquet", crew, kill_one) == plain
+    assert killed
+
+
+def test_dask_makes_the_same_table(study, plain, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(
+            n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None
+        ) as cluster,
+        dask_crew(cluster.scheduler_address) as crew,
+    ):
+        assert crew.workers == 2
+        assert flown(study, tmp_path / "b.parquet", crew) == plain
+
+
+@pytest.mark.parametrize("after", [1, 7, 13])
+def test_an_interrupted_study_goes_on_where_it_was(study, plain, tmp_path, after):
+    def interrupt(done):
+        if done >= after:
+            raise KeyboardInterrupt
+
+    first, second = HereCrew(), HereCrew()
+    with pytest.raises(KeyboardInterrupt):
+        flown(study, tmp_path / "b.parquet", first, interrupt)
+    assert not (tmp_path / "b.parquet").exists()
+    assert flown(study, tmp_path / "b.parquet", second) == plain
+    assert sorted(first.flown + second.flown) == list(range(FLIGHTS))
+
+
+def test_a_line_cut_short_is_flown_again(study, plain, tmp_path):
+    table = tmp_path / "b.parquet"
+    with Journal(table, study) as journal:
+        sweep(journal, HereCrew(), SMALL_COST)
+    lines = journal.path.read_bytes().splitlines(keepends=True)
+    journal.path.write_bytes(b"".join(lines[:10]) + lines[10][:25])
+    kept = [json.loads(line)["flight"] for line in lines[1:10]]
+    crew = HereCrew()
+    assert flown(study, table, crew) == plain
+    assert sorted(kept + crew.flown) == list(range(FLIGHTS))
+
+
+def test_a_flight_that_ends_its_process_is_found_and_named(study, plain, tmp_path):
+    crew = HereCrew(deadly=[7])
+    rows = flown(study, tmp_path / "b.parquet", crew)
+    assert rows[7]["ending"] == "failed"
+    assert "died" in rows[7]["reason"]
+    assert rows[:7] + rows[8:] == plain[:7] + plain[8:]
+    assert crew.renewed == 2
+
+
+def test_workers_that_cannot_work_end_the_study_with_a_sentence(study, tmp_path):
+    class Useless(HereCrew):
+        def submit(self, base, flights):
+            future = Future()
+            future.set_exception(ModuleNotFoundError("No module named 'kitemj'"))
+            return future
+
+    with pytest.raises(StudyStopped, match=r"ModuleNotFoundError.*the same kitemj"):
+        flown(study, tmp_path / "b.parquet", Useless())
+
+
+def test_another_study_does_not_go_on_with_this_one_s_journal(study, tmp_path, capsys):
+    with Journal(tmp_path / "b.parquet", study) as journal:
+        journal.add([fly(study.base, 0, study.design.point(0))])
+    (tmp_path / "other.toml").write_text(STUDY.replace("6.0, 8.0", "6.0, 9.0"))
+    assert main(["sweep", str(tmp_path / "other.toml"), "--output", f"{tmp_path}/b.parquet"]) == 2
+    assert "begun by another study" in capsys.readouterr().err
+
+
+def test_two_commands_do_not_fly_one_study_at_once(study, tmp_path):
+    with (
+        Journal(tmp_path / "b.parquet", study),
+        pytest.raises(InputError, match="another command is writing"),
+        Journal(tmp_path / "b.parquet", study),
+    ):
+        pass
+
+
+SHORT = '[scenario]\nduration = 0.2\n[grid]\n"wind.speed" = [6.0, 7.0, 8.0]\nmodel = ["lagrange"]\n'
+
+
+def swept(tmp_path, text, *words):
+    (tmp_path / "study.toml").write_text(text)
+    return main(["sweep", f"{tmp_path}/study.toml", "--output", f"{tmp_path}/b.parquet", *words])
+
+
+def test_the_command_flies_a_study_once(tmp_path, capsys):
+    assert swept(tmp_path, SHORT, "--processes", "1") == 0
+    assert "3 flights" in capsys.readouterr().out
+    assert not (tmp_path / "b.parquet.journal").exists()
+    assert swept(tmp_path, SHORT) == 0
+    assert "is complete" in capsys.readouterr().out
+    assert swept(tmp_path, SHORT.replace("8.0", "9.0")) == 2
+    assert "exists" in capsys.readouterr().err
+
+
+def test_a_full_disk_is_a_sentence(tmp_path, monkeypatch, capsys):
+    def full(descriptor):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "fsync", full)
+    assert swept(tmp_path, SHORT, "--processes", "1") == 1
+    said = capsys.readouterr().err
+    assert "No space left" in said
+    assert "safe in" in said
+    monkeypatch.undo()
+    assert swept(tmp_path, SHORT, "--processes", "1") == 0
+
+
+def test_a_million_flights_are_asked_about(tmp_path, capsys):
+    many = SHORT.replace("[6.0, 7.0, 8.0]", "{ from = 6.0, to = 8.0, count = 1000000 }")
+    assert swept(tmp_path, many, "--processes", "1") == 2
+    said = capsys.readouterr().err
+    assert "999997 flights: about" in said
+    assert "--yes" in said
+    assert len((tmp_path / "b.parquet.journal").read_text().splitlines()) == 4
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("model", "modell", "modell is not known: did you mean 'model'?"),
+        ("wind.speed", "wind.sped", "wind.sped is not known: did you mean 'speed'?"),
+        ("wind.speed", "winde.speed", "winde is not known: did you mean 'wind'?"),
+        ('["lagrange"]', '["lagrangian"]', "there is no model 'lagrangian'"),
+        ("[6.0, 7.0, 8.0]", "[]", "grid.wind.speed is empty"),
+        ("[6.0, 7.0, 8.0]", '["strong"]', "wind.speed must be a number in m/s, got 'strong'"),
+        ("[scenario]", "step = 3.0\n[scenario]", "step must be <= 0.1 s, got 3.0 s"),
+        ("[scenario]\n", 'scenario = "no.toml"\n#', "cannot read"),
+    ],
+)
+def test_bad_studies_are_a_sentence_each(tmp_path, capsys, old, new, says):
+    assert swept(tmp_path, SHORT.replace(old, new).replace("#duration = 0.2", "")) == 2
+    said = capsys.readouterr().err
+    assert says in said
+    assert said.count("\n") == 1
+    assert list(tmp_path.glob("b.parquet*")) == []
+
+
+def test_a_scheduler_that_does_not_answer_is_a_sentence(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(crews, "PATIENCE", 1)
+    assert swept(tmp_path, SHORT, "--scheduler", "tcp://127.0.0.1:9") == 2
+    assert "no Dask scheduler answers at tcp://127.0.0.1:9" in capsys.readouterr().err
+
+
+def test_rows_keep_every_digit_on_their_way_through_the_journal(study):
+    row = fly(study.base, 16, study.design.point(16))
+    assert json.loads(json.dumps(row)) == row
