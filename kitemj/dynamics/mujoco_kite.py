@@ -150,7 +150,7 @@ def step(engine: Engine, parameters: Parameters, programme: Programme, t: float,
         now, left = now + part, left - part
         if left <= 0.0:
             break
-    release(engine)
+    release(engine, parameters)
 
 
 @compiled

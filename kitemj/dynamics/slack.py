@@ -51,8 +51,10 @@ def pulled(parameters: Parameters, body: Body, line: Line, impulse: float) -> Bo
 
 
 @compiled
-def release(engine: Engine) -> None:
-    """Lets each line go slack that pushes."""
+def release(engine: Engine, parameters: Parameters) -> None:
+    """Lets each line go slack that pushes, unless lines are rigid."""
+    if parameters.lines.rigid:
+        return
     for i in range(2):
         if engine.eq_active[i] and engine.softness[i] > 0.0:
             engine.eq_active[i] = 0

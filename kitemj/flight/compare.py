@@ -32,7 +32,8 @@ class Comparison:
     """Largest gaps of `model` to `reference`: position [m], attitude [rad], tension [N].
 
     `until` [s]: where a line of either goes slack or a kite touches the ground, or the end:
-    what comes after is not compared, because rigid lines and real ones part there. `valid`
+    what comes after is not compared, because rigid lines and real ones part there
+    (unless `lines.rigid`). `valid`
     [s]: the first departure from any limit of validity, up to which agreement is claimed.
     """
 
@@ -76,9 +77,9 @@ def compare(flight: Flight, reference: Flight) -> Comparison:
 
     Raises InputError where a line is slack at once, so that nothing can be compared.
     """
-    pairs = []
+    pairs, rigid = [], flight.scenario.parameters.lines.rigid
     for a, b in zip(flight.motions, reference.motions, strict=False):
-        if min(*a.tensions, *b.tensions) <= 0.0:
+        if min(*a.tensions, *b.tensions) <= 0.0 and not rigid:
             break
         pairs.append((a, b))
     if not pairs:

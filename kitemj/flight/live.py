@@ -103,7 +103,8 @@ class LiveFlight:
         if touches_ground(self.parameters, motion):
             departure = Departure(motion.t, Ending.GROUND, f"{motion.air.speed:.0f} m/s of air")
         # straight, rigid lines are what the reference is made of: beyond, it says nothing
-        if departure and departure.ending in (Ending.SLACK, Ending.GROUND):
+        parting = {Ending.GROUND} if self.parameters.lines.rigid else {Ending.GROUND, Ending.SLACK}
+        if departure and departure.ending in parting:
             self._following = False
         reference = self.ghost.motion(self.segment) if self._following else None
         if reference is None or not isfinite(reference.body.p_G_E.x):

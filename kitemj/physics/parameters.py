@@ -29,9 +29,14 @@ class Kite(NamedTuple):
 
 
 class Lines(NamedTuple):
-    """The two lines: massless, straight, inextensible; they only pull."""
+    """The two lines: massless, straight, inextensible; they only pull, unless `rigid`.
+
+    Models in minimal coordinates always have rigid lines; the flag makes the MuJoCo kite's
+    push as well, to be held against such models where a line would be slack.
+    """
 
     length: Annotated[float, Quantity("m", "length of each line at δ = 0, L₀", gt=0)]
+    rigid: Annotated[bool, Quantity("", "true: lines that push as well as pull")] = False
 
 
 class Environment(NamedTuple):

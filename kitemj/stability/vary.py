@@ -19,7 +19,7 @@ def parameter_names(parameters: Parameters) -> list[str]:
         f"{section}.{field}"
         for section in VARIED
         for field, value in getattr(parameters, section)._asdict().items()
-        if isinstance(value, (int, float))
+        if isinstance(value, (int, float)) and not isinstance(value, bool)
     ]
     return [name for name in names if name not in NOT_VARIED]
 

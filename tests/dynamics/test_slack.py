@@ -12,6 +12,9 @@ from kitemj.dynamics.mujoco_kite import MujocoKite, flown
 from kitemj.dynamics.slack import catch, excess, excess_rate
 from kitemj.dynamics.straight import straight_body
 from kitemj.dynamics.taut import SIDES, line_of
+from kitemj.flight.compare import compare
+from kitemj.flight.scenario import scenario_of
+from kitemj.flight.simulate import simulate
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Segment, Sines, control, ell_delta, line_motion
@@ -186,3 +189,22 @@ def test_the_ground_catches_the_kite(name, step):
     assert highest < 1.0, "m: it does not bounce off into the sky"
     assert min(heights[-100:]) > -0.02, "m: at rest it lies on the ground"
     assert norm(body.v_G_E) < 0.1, "m/s"
+
+
+HARD = {"programme": "sine", "delta_amplitude_deg": 5.0, "delta_frequency": 0.1}
+JERKED = {**HARD, "ell_amplitude": 5.0, "ell_frequency": 0.2}
+
+
+def test_rigid_lines_push_like_those_of_the_other_models():
+    """Reeled out at 1 m/s at once the lines would have to push; rigid ones do."""
+    tables = {"set": "laksa", "duration": 10.0, "steering": JERKED, "lines": {"rigid": True}}
+    scenario = scenario_of(tables, "jerked")
+    exact, engine = simulate(scenario, "lagrange"), simulate(scenario, "mujoco")
+    assert min(min(motion.tensions) for motion in exact.motions) < -20.0
+    found = compare(engine, exact)
+    assert found.until == 10.0
+    assert found.position.value < 1e-6  # m; the promise of calm flight
+    slack = scenario_of({**tables, "lines": {}}, "jerked")
+    real = simulate(slack, "mujoco").motions
+    # at t = 0 a pushing line is told of; from the first step on it is slack
+    assert min(min(motion.tensions) for motion in real[1:]) == 0.0
