@@ -1,5 +1,6 @@
 """The command `kitemj`: thin; the subcommands are in `kitemj.commands`."""
 
+import os
 import sys
 import time
 from collections.abc import Sequence
@@ -26,6 +27,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (FlightError, NoGraphics) as error:
         print(f"kitemj: {error}", file=sys.stderr)
         return 1
+    except BrokenPipeError:  # whoever read what we print has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
     except KeyboardInterrupt:
         print("kitemj: interrupted; nothing was written", file=sys.stderr)
         return 130
