@@ -2,14 +2,14 @@
 
 import os
 from pathlib import Path
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
 import av
 import numpy as np
 from av.filter import Graph
 from numpy.typing import NDArray
 
+from kitemj.closing import Closing
 from kitemj.errors import InputError
 from kitemj.flight.output import check_new
 
@@ -20,7 +20,7 @@ GIF_RATE = 50
 """Frames/s, the most that a GIF can have (its clock ticks 100 times a second)."""
 
 
-class Film:
+class Film(Closing):
     """H.264 in mp4 (or a GIF, by the name) from frames of `width` x `height` px at `rate` a second.
 
     A context manager. However it is left, by an exception and Ctrl-C too, the frames added
@@ -88,19 +88,6 @@ class Film:
         self._container.mux(self._stream.encode(None))
         self._container.close()
         os.replace(self._part, self.path)  # noqa: PTH105  the one call that is atomic everywhere
-
-    def __enter__(self) -> Self:
-        """The film itself."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Closes it, so that what was filmed is kept."""
-        self.close()
 
 
 def check_film(path: Path, width: int, height: int, rate: int) -> None:

@@ -11,13 +11,13 @@ from collections.abc import Generator, Iterable, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from multiprocessing import get_context
 from multiprocessing.shared_memory import SharedMemory
-from types import TracebackType
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from kitemj.closing import Closing
 from kitemj.cockpit.gl import open_graphics
 from kitemj.cockpit.lettering import put, width
 from kitemj.cockpit.picture import Picture, Readings
@@ -50,7 +50,7 @@ class Stage(NamedTuple):
     instruments: bool
 
 
-class Painter:
+class Painter(Closing):
     """Paints frames of a stage; a context manager. Raises NoGraphics and InputError."""
 
     def __init__(self, stage: Stage) -> None:
@@ -79,19 +79,6 @@ class Painter:
         """Gives OpenGL back."""
         for picture in self._pictures:
             picture.close()
-
-    def __enter__(self) -> Self:
-        """The painter itself."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Closes it."""
-        self.close()
 
 
 def workers_for(frames: int) -> int:

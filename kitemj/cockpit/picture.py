@@ -1,13 +1,13 @@
 """One frame: a main view, a small other view, and the instruments over both."""
 
 from math import atan2, cos, radians, sin
-from types import TracebackType
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from kitemj.closing import Closing
 from kitemj.cockpit import views
 from kitemj.cockpit.drawing_model import RINGS, ring_step
 from kitemj.cockpit.gl import open_graphics
@@ -48,7 +48,7 @@ class Readings(NamedTuple):
     help: tuple[str, ...] = ()  # lines over everything; a tab parts a key from what it does
 
 
-class Picture:
+class Picture(Closing):
     """Paints motions of one parameter set; raises `NoGraphics` where OpenGL is missing.
 
     A context manager. Any thread may paint, one at a time. `shown` holds the names among
@@ -238,16 +238,3 @@ class Picture:
                 self._context.free()
             self._context = None
             self._graphics.context.free()
-
-    def __enter__(self) -> Self:
-        """The picture itself."""
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        """Closes it."""
-        self.close()

@@ -24,40 +24,19 @@ from kitemj.dynamics.newton_euler_kite import NewtonEulerKite
 from kitemj.errors import FlightError
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import aerodynamic_wrench
-from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Segment, Sines, control, line_motion, rest_ell
 from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, rotated, times, unrotated
-from kitemj.physics.wind import Wind
+from tests.support import LAKSA, SPORT
 
-LAKSA = parameter_set("laksa")
 REST = Angles(0.0, 0.0, 0.0, 0.0)
 HANGING = State(Angles(0.0, 0.399377006123854, 0.0, -0.264178811057397), REST)
 STEERING = Sines(rest_ell(200.0, 2.9), delta_amplitude=radians(8.0), delta_frequency=0.1)
 
-# A small sport kite that turns to the hand that pulls: with δ = 0.4 rad it loops at 20 m/s.
-# Its inertia is made up, I_xz not zero so that every term is at work.
-SMALL = LAKSA._replace(
-    kite=LAKSA.kite._replace(
-        mass=0.22,
-        inertia_x=0.05,
-        inertia_y=0.01,
-        inertia_z=0.05,
-        inertia_xz=0.004,
-        chord=0.353,
-        span=1.7,
-        area=0.6,
-        x_A=0.1,
-        y_A=0.3,
-        z_A=0.3,
-    ),
-    aero=LAKSA.aero._replace(Cn_beta=0.5, Cy_beta=-3.0),
-    wind=Wind(6.0),
-)
 ALOFT = State(Angles(0.0, 0.454, 0.0, -0.291), REST)
 LOOPS = Sines(rest_ell(20.0, 0.3), delta=0.4)
 SWINGS = Sines(rest_ell(20.0, 0.3), 0.0, 0.3, 1.5, 1.0, 0.7)
-VACUUM = SMALL._replace(environment=SMALL.environment._replace(gravity=0.0, air_density=0.0))
+VACUUM = SPORT._replace(environment=SPORT.environment._replace(gravity=0.0, air_density=0.0))
 
 ROUNDING = 1e-12  # relative to the largest term of a sum
 ON_THE_LINES = 1e-12  # m and m/s, after a correction; 20 m to 200 m in double precision
@@ -140,12 +119,12 @@ def flight(parameters: Parameters, state: State, programme: Sines, step: float) 
 
 @pytest.mark.parametrize(("state", "programme"), random_flights(10))
 def test_start_is_on_the_lines_with_the_velocity_of_its_pose(state, programme):
-    body = ne.body_of(placed(SMALL, programme, state))
-    assert max(line_errors(SMALL, programme, 0.0, body)) < ON_THE_LINES
+    body = ne.body_of(placed(SPORT, programme, state))
+    assert max(line_errors(SPORT, programme, 0.0, body)) < ON_THE_LINES
 
     def pose(s: float) -> Body:
         q = Angles(*(a + s * b for a, b in zip(state.q, state.q_dot, strict=True)))
-        return ne.body_of(placed(SMALL, programme._replace(start=-s), State(q, state.q_dot)))
+        return ne.body_of(placed(SPORT, programme._replace(start=-s), State(q, state.q_dot)))
 
     h = 1e-5  # s: truncation h² and rounding 1e-15·20 m/h are both below 1e-8
     after, before = pose(h), pose(-h)
@@ -161,12 +140,12 @@ def test_start_is_on_the_lines_with_the_velocity_of_its_pose(state, programme):
 
 @pytest.mark.parametrize(("state", "programme"), random_flights(20))
 def test_energy_grows_by_the_power_of_the_air_and_of_the_lines(state, programme):
-    body = ne.body_of(placed(SMALL, programme, state))
-    now = accelerations(SMALL, programme, 0.0, body)
+    body = ne.body_of(placed(SPORT, programme, state))
+    now = accelerations(SPORT, programme, 0.0, body)
 
     def energy_at(s: float) -> float:
         return energy(
-            SMALL,
+            SPORT,
             Body(
                 plus(body.p_G_E, times(s, body.v_G_E)),
                 body.R_BE,
@@ -175,14 +154,14 @@ def test_energy_grows_by_the_power_of_the_air_and_of_the_lines(state, programme)
             ),
         )
 
-    air = aerodynamic_wrench(SMALL, body.p_G_E, body.R_BE, body.v_G_E, body.omega_B, 0.0)
+    air = aerodynamic_wrench(SPORT, body.p_G_E, body.R_BE, body.v_G_E, body.omega_B, 0.0)
     powers = [
         dot(air.force, rotated(body.R_BE, body.v_G_E)),
         dot(air.moment, body.omega_B),
     ]
     for side, T in ((1.0, now.tensions.plus), (-1.0, now.tensions.minus)):
-        A = attachment_E(SMALL, body, side)
-        powers.append(-T * dot(A, attachment_velocity_E(SMALL, body, side)) / norm(A))
+        A = attachment_E(SPORT, body, side)
+        powers.append(-T * dot(A, attachment_velocity_E(SPORT, body, side)) / norm(A))
     # The energy is a quadratic function of s: a central difference of any width is its derivative.
     dE_dt = (energy_at(1.0) - energy_at(-1.0)) / 2
     scale = max(map(abs, [*powers, energy_at(1.0), energy_at(-1.0)]))
@@ -219,8 +198,8 @@ def test_mirrored_flight_has_mirrored_accelerations(state, programme):
     other = programme._replace(
         control=c._replace(delta=-c.delta, delta_dot=-c.delta_dot, delta_ddot=-c.delta_ddot)
     )
-    one = accelerations(SMALL, programme, 0.0, ne.body_of(placed(SMALL, programme, state)))
-    two = accelerations(SMALL, other, 0.0, ne.body_of(placed(SMALL, other, mirrored)))
+    one = accelerations(SPORT, programme, 0.0, ne.body_of(placed(SPORT, programme, state)))
+    two = accelerations(SPORT, other, 0.0, ne.body_of(placed(SPORT, other, mirrored)))
     a, w = two.a_G_E, two.omega_dot_B
     assert one.a_G_E == pytest.approx((a.x, -a.y, a.z), rel=1e-11, abs=1e-11)
     assert one.omega_dot_B == pytest.approx((-w.x, w.y, -w.z), rel=1e-11, abs=1e-11)
@@ -261,10 +240,10 @@ def test_stepped_flight_follows_laksa():
 
 
 def test_steps_are_of_fourth_order_in_loops():
-    exact = flight(SMALL, ALOFT, LOOPS, 0.002).trajectory(LOOPS, [4.0])[0].body.p_G_E
+    exact = flight(SPORT, ALOFT, LOOPS, 0.002).trajectory(LOOPS, [4.0])[0].body.p_G_E
     errors = []
     for step in (0.008, 0.004, 0.002):
-        kite = flight(SMALL, ALOFT, LOOPS, step)
+        kite = flight(SPORT, ALOFT, LOOPS, step)
         kite.advance(LOOPS, 4.0)
         errors.append(norm(minus(kite.motion(LOOPS).body.p_G_E, exact)))
     orders = [log2(a / b) for a, b in pairwise(errors)]
@@ -274,12 +253,12 @@ def test_steps_are_of_fourth_order_in_loops():
 
 @pytest.mark.parametrize("programme", [LOOPS, SWINGS])
 def test_flight_stays_on_the_lines(programme):
-    kite = flight(SMALL, ALOFT, programme, 0.002)
+    kite = flight(SPORT, ALOFT, programme, 0.002)
     for motion in kite.trajectory(programme, [2.5, 5.0, 7.5]):
-        assert max(line_errors(SMALL, programme, motion.t, motion.body)) < ON_THE_LINES
+        assert max(line_errors(SPORT, programme, motion.t, motion.body)) < ON_THE_LINES
     for _ in range(60):
         kite.advance(programme, 1.0)
-        assert max(line_errors(SMALL, programme, kite.t, kite.motion(programme).body)) < (
+        assert max(line_errors(SPORT, programme, kite.t, kite.motion(programme).body)) < (
             ON_THE_LINES
         )
 
@@ -296,13 +275,13 @@ def test_correction_is_never_more_than_the_integrator_s_own_error():
 
     and a correction of that size is the least one: doing it twice changes nothing more.
     """
-    y = placed(SMALL, LOOPS, ALOFT)
+    y = placed(SPORT, LOOPS, ALOFT)
     room = room_for(flat(y))
-    assert carried(nek.NewtonEulerSystem(SMALL, LOOPS), room, 0.0, 10.0, nek.TOLERANCE) == 10.0
+    assert carried(nek.NewtonEulerSystem(SPORT, LOOPS), room, 0.0, 10.0, nek.TOLERANCE) == 10.0
     loose = nek.free(room.x)
-    held = ne.corrected(SMALL, LOOPS, 10.0, loose)
-    again = ne.corrected(SMALL, LOOPS, 10.0, held)
-    drift = line_errors(SMALL, LOOPS, 10.0, ne.body_of(loose))
+    held = ne.corrected(SPORT, LOOPS, 10.0, loose)
+    again = ne.corrected(SPORT, LOOPS, 10.0, held)
+    drift = line_errors(SPORT, LOOPS, 10.0, ne.body_of(loose))
     assert 0 < drift.plus < 1e-10
     assert flat(held) == pytest.approx(flat(loose), abs=1e-10)
     assert flat(again) == pytest.approx(flat(held), abs=1e-13)
@@ -310,20 +289,20 @@ def test_correction_is_never_more_than_the_integrator_s_own_error():
 
 def test_correction_puts_a_displaced_kite_back_without_turning_momentum():
     """The impulse of a correction pulls along the lines: no angular momentum about O_E."""
-    y = placed(SMALL, SWINGS, ALOFT)
+    y = placed(SPORT, SWINGS, ALOFT)
     w = y.omega_B
     y = y._replace(v_G_E=plus(y.v_G_E, Vector(0.02, -0.03, 0.05)), omega_B=w._replace(y=w.y + 0.1))
-    held = ne.body_of(ne.corrected(SMALL, SWINGS, 0.0, y))
+    held = ne.body_of(ne.corrected(SPORT, SWINGS, 0.0, y))
     loose = ne.body_of(y)
-    assert line_errors(SMALL, SWINGS, 0.0, loose).minus > 1e-2
-    assert max(line_errors(SMALL, SWINGS, 0.0, held)) < ON_THE_LINES
-    moved = times(SMALL.kite.mass, cross(held.p_G_E, minus(held.v_G_E, loose.v_G_E)))
-    turned = ne.spin(SMALL.kite, minus(held.omega_B, loose.omega_B))
+    assert line_errors(SPORT, SWINGS, 0.0, loose).minus > 1e-2
+    assert max(line_errors(SPORT, SWINGS, 0.0, held)) < ON_THE_LINES
+    moved = times(SPORT.kite.mass, cross(held.p_G_E, minus(held.v_G_E, loose.v_G_E)))
+    turned = ne.spin(SPORT.kite, minus(held.omega_B, loose.omega_B))
     assert plus(moved, unrotated(held.R_BE, turned)) == pytest.approx((0.0, 0.0, 0.0), abs=1e-13)
 
 
 def test_advance_in_pieces_is_advance_at_once():
-    whole, pieces = (flight(SMALL, ALOFT, LOOPS, 0.002) for _ in range(2))
+    whole, pieces = (flight(SPORT, ALOFT, LOOPS, 0.002) for _ in range(2))
     whole.advance(LOOPS, 1.0)
     for _ in range(50):
         pieces.advance(LOOPS, 0.02)
@@ -333,9 +312,9 @@ def test_advance_in_pieces_is_advance_at_once():
 
 def test_formula_runs_in_plain_python_too():
     state, programme = random_flights(1)[0]
-    body = ne.body_of(placed(SMALL, programme, state))
-    compiled = accelerations(SMALL, programme, 0.0, body)
-    plain = accelerations.py_func(SMALL, programme, 0.0, body)
+    body = ne.body_of(placed(SPORT, programme, state))
+    compiled = accelerations(SPORT, programme, 0.0, body)
+    plain = accelerations.py_func(SPORT, programme, 0.0, body)
     assert plain.a_G_E == pytest.approx(tuple(compiled.a_G_E))
     assert plain.tensions == pytest.approx(tuple(compiled.tensions))
 
@@ -358,6 +337,6 @@ def test_motion_tells_lengths_control_and_angles():
 
 def test_a_start_that_is_no_number_ends_in_a_sentence():
     lost = State(Angles(nan, 0.0, 0.0, 0.0), REST)
-    kite = flight(SMALL, lost, LOOPS, 0.002)
+    kite = flight(SPORT, lost, LOOPS, 0.002)
     with pytest.raises(FlightError, match=r"newton-euler cannot fly on after t = 0\.000 s"):
         kite.trajectory(LOOPS, [0.0, 1.0])
