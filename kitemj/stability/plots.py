@@ -40,7 +40,8 @@ def trim_figure(trims: list[Trim]) -> Figure:
     for trim in trims:
         back, up = _side(trim)
         label = (
-            f"{trim.model}: α {degrees(trim.alpha):.2f}°, elevation {degrees(trim.elevation):.1f}°, "
+            f"{trim.model}: α {degrees(trim.alpha):.2f}°, "
+            f"elevation {degrees(trim.elevation):.1f}°, "
             f"{trim.tensions.plus:.1f} N + {trim.tensions.minus:.1f} N"
         )
         (line,) = ax.plot([0, back], [0, up], lw=1.2, label=label)
