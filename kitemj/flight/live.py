@@ -14,7 +14,7 @@ from kitemj.flight.compare import position_gap
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import DEFAULT_STEP, make_model
 from kitemj.flight.validity import Departure, Ending, departure_at, touches_ground
-from kitemj.physics.shaping import shaped
+from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, Programme, Segment, control, rest_ell
 
 TICK = 0.01
@@ -22,10 +22,14 @@ TICK = 0.01
 
 
 class Command(NamedTuple):
-    """What the stick asks for, parts of the limits in -1..1: δ (right is positive) and ℓ."""
+    """What the stick asks for, parts of the limits in -1..1.
+
+    `delta` is δ, δ̇ or δ̈, as `law` says (positive: the right hand pulls), `ell` always ℓ.
+    """
 
     delta: float = 0.0
     ell: float = 0.0
+    law: StickLaw = StickLaw.ANGLE
 
 
 class Moment(NamedTuple):
@@ -72,10 +76,10 @@ class LiveFlight:
     def tick(self, command: Command) -> Moment:
         """Flies one tick with the stick at `command`; raises FlightError where that diverges."""
         limits, start = self.parameters.stick, self.ticks * TICK
-        wish = command.delta * limits.delta
         reach = self.ell_rest + command.ell * limits.ell
         now = control(self.segment, start)
-        self.segment = shaped(limits, now, start, TICK, wish, reach, self.ell_rest)
+        wish, rate = asked(limits, command.law, command.delta, now, TICK)
+        self.segment = shaped(limits, now, start, TICK, wish, reach, self.ell_rest, rate)
         self.fly(self.segment)
         return self._moment(wish)
 

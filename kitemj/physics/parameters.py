@@ -55,7 +55,11 @@ class Limits(NamedTuple):
 
 
 class StickLimits(NamedTuple):
-    """How far and how fast the hand (through the stick) may move the lines."""
+    """How far and how fast the hand (through the stick) may move the lines.
+
+    `mirrored` is for a kite that drifts away from the hand that pulls: the stick then says
+    where the kite is to go. `arm` is the way of a stick that holds one line.
+    """
 
     delta: Annotated[float, Quantity("rad", "largest |δ|", gt=0, lt=1.5)]
     delta_dot: Annotated[float, Quantity("rad/s", "largest |δ̇|", gt=0)]
@@ -63,6 +67,8 @@ class StickLimits(NamedTuple):
     ell: Annotated[float, Quantity("m", "largest |ℓ - ℓ₀|", gt=0)]
     ell_dot: Annotated[float, Quantity("m/s", "largest |ℓ̇|", gt=0)]
     ell_ddot: Annotated[float, Quantity("m/s²", "largest |ℓ̈|", gt=0)]
+    arm: Annotated[float, Quantity("m", "how far a hand moves its line to each side", gt=0)] = 0.25
+    mirrored: Annotated[bool, Quantity("", "true: the left hand pulls for stick right")] = False
 
 
 class Parameters(NamedTuple):

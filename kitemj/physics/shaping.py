@@ -5,16 +5,57 @@ takes the mean acceleration of that way over its length, so that δ̈ and ℓ̈ 
 tick and its numbers say exactly what was flown. The way is found anew at each tick.
 """
 
+from enum import IntEnum
 from functools import cache
+from math import copysign, inf
 from typing import Any
 
-from ruckig import InputParameter, Ruckig, RuckigError, Synchronization, Trajectory
+from ruckig import (
+    ControlInterface,
+    InputParameter,
+    Ruckig,
+    RuckigError,
+    Synchronization,
+    Trajectory,
+)
 
 from kitemj.physics.parameters import StickLimits
 from kitemj.physics.steering import Control, Segment
 
 NUDGE = 1 + 1e-9
 """What the planner is given in place of a limit that it stumbles over; the result is cut."""
+
+STILL = 1e-9
+"""rad/s; who asks for less asks to stop where the brakes allow."""
+
+
+class StickLaw(IntEnum):
+    """What a stick's deflection means, in parts of the limit: δ, δ̇ or δ̈."""
+
+    ANGLE = 0
+    RATE = 1
+    ACCELERATION = 2
+
+    @property
+    def symbol(self) -> str:
+        """What the stick commands."""
+        return ("δ", "δ̇", "δ̈")[self]
+
+
+def asked(
+    limits: StickLimits, law: StickLaw, stick: float, now: Control, tick: float
+) -> tuple[float, float]:
+    """(δ [rad], largest |δ̇| [rad/s] on the way there) that a `stick` in -1..1 asks for.
+
+    A rate is a way to the limit on its side, no faster than that; at the limit it ends. An
+    acceleration is a rate that grows through the `tick` [s], and stays when the stick rests.
+    """
+    if law is StickLaw.ANGLE:
+        return stick * limits.delta, limits.delta_dot
+    rate = stick * limits.delta_dot
+    if law is StickLaw.ACCELERATION:
+        rate = _within(now.delta_dot + stick * limits.delta_ddot * tick, limits.delta_dot)
+    return copysign(limits.delta, rate), abs(rate)
 
 
 @cache
@@ -32,21 +73,29 @@ def shaped(
     delta: float,
     ell: float,
     ell_rest: float,
+    delta_dot: float = inf,
 ) -> Segment:
     """The lines' motion from time `start` [s] on for one `tick` [s].
 
     `now` is the control at its start, `delta` [rad] and `ell` [m] what is asked for (cut to
-    their limits; `ell_rest` is ℓ₀). |δ̇|, |δ̈|, |ℓ̇| and |ℓ̈| stay within `limits`; a target that
-    stands still is reached to within limit tick²/4 and never passed by more.
+    their limits; `ell_rest` is ℓ₀), `delta_dot` [rad/s] how fast δ may go there. |δ̇|, |δ̈|, |ℓ̇|
+    and |ℓ̈| stay within `limits`; a target that stands still is reached to within
+    limit tick²/4 and never passed by more.
     """
     planner, wish, way = _planner()
+    stops = delta_dot < STILL
+    wish.per_dof_control_interface = [
+        ControlInterface.Velocity if stops else ControlInterface.Position,
+        ControlInterface.Position,
+    ]
     wish.current_position = [now.delta, now.ell]
     wish.current_velocity = [now.delta_dot, now.ell_dot]
     wish.target_position = [
         _within(delta, limits.delta),
         ell_rest + _within(ell - ell_rest, limits.ell),
     ]
-    wish.max_velocity = [limits.delta_dot, limits.ell_dot]
+    fastest = limits.delta_dot if stops else min(delta_dot, limits.delta_dot)
+    wish.max_velocity = [fastest, limits.ell_dot]
     wish.max_acceleration = [limits.delta_ddot, limits.ell_ddot]
     try:
         planner.calculate(wish, way)

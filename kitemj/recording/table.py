@@ -30,7 +30,9 @@ MOTION = (*COLUMNS, *ATTITUDE, *VELOCITY, *RATES, "airspeed_m_s")
 PLACE = ("leg", "tick")
 """Which flight of the recording (each restart begins one), which tick in it; whole numbers."""
 
-STICK = ("stick_delta", "stick_ell")
+STICK = ("stick_delta", "stick_ell", "stick_law")
+"""The law is 0, 1 or 2 where the stick asks for δ, δ̇ or δ̈."""
+
 STEERING = (
     "ell_m",
     "ell_dot_m_s",

@@ -8,7 +8,7 @@ import pytest
 
 from kitemj.flight.live import TICK
 from kitemj.physics.parameter_files import parameter_set
-from kitemj.physics.shaping import shaped
+from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import (
     Control,
     Sines,
@@ -116,3 +116,42 @@ def test_shaping_survives_states_on_the_braking_parabola():
         segment = shaped(limits, now, k * TICK, TICK, limits.delta, rest, rest)
         now = segment_control(segment, (k + 1) * TICK)
     assert now.delta == pytest.approx(limits.delta, abs=limits.delta_ddot * TICK**2 / 4)
+
+
+def held(law, stick, seconds, now=None):
+    """Controls at the end of each tick with the stick held, thesis limits; from rest."""
+    limits, rest = parameter_set("thesis").stick, rest_ell(80.0, 2.9)
+    now, controls = now or Control(rest, 0.0, 0.0, 0.0, 0.0, 0.0), []
+    for k in range(round(seconds / TICK)):
+        wish, rate = asked(limits, law, stick, now, TICK)
+        segment = shaped(limits, now, k * TICK, TICK, wish, rest, rest, rate)
+        now = segment_control(segment, (k + 1) * TICK)
+        controls.append(now)
+    return limits, controls
+
+
+@pytest.mark.parametrize("stick", [1.0, -0.5])
+def test_stick_that_commands_the_rate_gets_it_and_stops_at_the_limit(stick):
+    limits, controls = held(StickLaw.RATE, stick, 60.0)
+    assert controls[99].delta_dot == pytest.approx(stick * limits.delta_dot, rel=1e-12)
+    past = limits.delta_ddot * TICK**2 / 4
+    assert controls[-1].delta == pytest.approx(np.sign(stick) * limits.delta, abs=past)
+    assert max(abs(c.delta) for c in controls) <= limits.delta + past
+
+
+def test_stick_that_commands_the_rate_holds_delta_when_it_rests():
+    _, moving = held(StickLaw.RATE, 1.0, 3.0)
+    limits, resting = held(StickLaw.RATE, 0.0, 3.0, moving[-1])
+    braking = limits.delta_dot**2 / (2 * limits.delta_ddot)
+    assert resting[-1].delta_dot == pytest.approx(0.0, abs=1e-15)
+    assert resting[-1].delta == pytest.approx(moving[-1].delta + braking, rel=1e-3)
+
+
+def test_stick_that_commands_the_acceleration_gets_it_and_the_rate_stays():
+    limits, pushed = held(StickLaw.ACCELERATION, 0.5, 0.2)
+    assert pushed[-1].delta_dot == pytest.approx(0.5 * limits.delta_ddot * 0.2, rel=1e-9)
+    _, coasting = held(StickLaw.ACCELERATION, 0.0, 3.0, pushed[-1])
+    assert coasting[-1].delta_dot == pytest.approx(pushed[-1].delta_dot, rel=1e-9)
+    _, at_last = held(StickLaw.ACCELERATION, 0.0, 60.0, pushed[-1])
+    past = limits.delta_ddot * TICK**2 / 4
+    assert at_last[-1].delta == pytest.approx(limits.delta, abs=past)

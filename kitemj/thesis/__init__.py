@@ -1,0 +1,1 @@
+"""The thesis made again: what it measured and drew, computed here, side by side."""

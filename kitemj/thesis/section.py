@@ -1,0 +1,70 @@
+"""What a section of the report is made of: sentences, figures, tables, answers."""
+
+from collections.abc import Sequence
+from enum import Enum
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+from kitemj.stability.tables import Table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class Verdict(Enum):
+    """What became of a figure or table of the thesis."""
+
+    REPRODUCED = "reproduced"
+    DIFFERS = "differs"
+    NOT_APPLICABLE = "not applicable"
+
+
+class Answer(NamedTuple):
+    """One row of the list at the end: `item` as the thesis names it ("Figure 33", "Table 3").
+
+    `because` is empty only where the verdict is REPRODUCED and nothing is to be added.
+    """
+
+    item: str
+    verdict: Verdict
+    because: str = ""
+
+
+class Drawing(NamedTuple):
+    """A figure under a name that its file gets; drawn with matplotlib, or a frame (RGB)."""
+
+    name: str
+    caption: str
+    figure: "Figure | Path"
+
+
+class Named(NamedTuple):
+    """A table under a name that its file gets; `show` false: only in the file."""
+
+    name: str
+    table: Table
+    show: bool = True
+
+
+class Section(NamedTuple):
+    """`thesis` is what the thesis found, `here` what is found now, `why` they differ.
+
+    Sentences are plain text, one paragraph each. `timed` tables hold measured times and
+    differ from run to run; all others are the same each time.
+    """
+
+    title: str
+    answers: Sequence[Answer]
+    thesis: Sequence[str]
+    here: Sequence[str]
+    why: Sequence[str] = ()
+    drawings: Sequence[Drawing] = ()
+    tables: Sequence[Named] = ()
+    timed: Sequence[Named] = ()
+
+
+class Writer(Protocol):
+    """Makes a section; `scratch` is a folder for files that pass through it."""
+
+    def __call__(self, scratch: Path) -> Section:
+        """Computes everything anew."""
