@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 import pygame
 
+from kitemj.cockpit.actions import HELP, Wishes
 from kitemj.cockpit.history import History
 from kitemj.cockpit.pacing import Pacer, Timekeeping
-from kitemj.cockpit.picture import INSTRUMENTS, Picture, Readings
-from kitemj.cockpit.screens import FRAME_RATE, HELP, Screen, Wishes
-from kitemj.flight.live import TICK, LiveFlight
+from kitemj.cockpit.picture import Picture, Readings
+from kitemj.cockpit.screens import FRAME_RATE, Screen
+from kitemj.flight.live import TICK, Command, LiveFlight
 from kitemj.recording.recorder import Recorder
 
 
@@ -72,9 +73,9 @@ def fly(
                 ending = "as long as was asked"
                 break
             screen.poll()
-            pacer.command = screen.stick.command(pacer.moment.motion)
+            command = pacer.command = screen.stick.command(pacer.moment.motion)
             _grant(screen.wishes, pacer, picture)
-            _paint(pacer, picture, screen, painting - begun)
+            _paint(pacer, picture, screen, command, painting - begun)
             frames += 1
             history.add_frame(painting, time.perf_counter() - painting)
             first = first or time.perf_counter() - called
@@ -94,26 +95,25 @@ def fly(
 
 def _grant(wishes: Wishes, pacer: Pacer, picture: Picture) -> None:
     """What the person wants of time and picture."""
+    deeds, turn, zoom = wishes.taken()
     pacer.rate = wishes.rate
-    if wishes.restarting:
-        pacer.restart()
-    if wishes.stepping:
-        pacer.step()
-    if wishes.turn != (0.0, 0.0):
-        picture.orbit(*wishes.turn)
-    if wishes.zoom != 1.0:
-        picture.zoom(wishes.zoom)
-    picture.shown = set(INSTRUMENTS) if wishes.instruments else set()
-    wishes.forget_deeds()
+    for deed in deeds:
+        pacer.ask(deed)
+    if turn != (0.0, 0.0):
+        picture.orbit(*turn)
+    if zoom != 1.0:
+        picture.zoom(zoom)
+    picture.shown = wishes.shown
 
 
-def _paint(pacer: Pacer, picture: Picture, screen: Screen, wall: float) -> None:
+def _paint(pacer: Pacer, picture: Picture, screen: Screen, command: Command, wall: float) -> None:
     moment, times, wishes = pacer.moment, pacer.times, screen.wishes
     disk = pacer.recorder.problem if pacer.recorder else ""
     readings = Readings(
         model=pacer.flight.kite.name,
         gap=moment.gap,
-        delta_command=moment.wish,
+        delta_command=command.delta * pacer.flight.parameters.stick.delta,
+        law=command.law,
         missed_ticks=times.missed,
         lateness=times.lateness,
         stick=screen.stick.name,

@@ -4,6 +4,7 @@
 which are copies. Its memory is fixed from the start.
 """
 
+from collections import deque
 from math import atan2, pi
 from typing import NamedTuple
 
@@ -14,7 +15,7 @@ from kitemj.cockpit.alarms import Alarm, alarm_at
 from kitemj.cockpit.views import UP, downwind
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import cross, dot, norm, plus, times
+from kitemj.physics.vectors import Vector, cross, dot, norm, plus, times
 
 TRAIL_STEP = 0.03  # s of the flight between points of the trail
 TRAIL_POINTS = 400
@@ -37,19 +38,22 @@ class Traces(NamedTuple):
     alarm: Alarm | None = None
 
 
+class Point(NamedTuple):
+    """Of the trail: when [s], how far the lines were turned [rad], where [m, E]."""
+
+    t: float
+    twist: float
+    place: Vector
+
+
 class History:
     """Of one flight with one parameter set. `now` [s] is any clock that runs as the watcher's."""
 
     def __init__(self, parameters: Parameters) -> None:
         self._parameters = parameters
-        self._points = np.empty((TRAIL_POINTS, 3))
+        self._points: deque[Point] = deque(maxlen=TRAIL_POINTS)
         self._lateness, self._frame_time = Rolling(), Rolling()
         self._alarm: tuple[float, Alarm] | None = None
-        self.clear()
-
-    def clear(self) -> None:
-        """Forgets the trail and the turns: the flight begins anew."""
-        self._count, self._t, self._twist = 0, -1.0, 0.0
 
     def add(self, now: float, motion: Motion, lateness: float | None = None) -> None:
         """A tick that was done `lateness` [s] late, or, where no clock is kept, a frame."""
@@ -58,9 +62,9 @@ class History:
         alarm = alarm_at(self._parameters, motion)
         if alarm:
             self._alarm = (now, alarm)
-        if motion.t < self._t:
-            self.clear()
-        if self._count == 0 or motion.t - self._t > TRAIL_STEP - 1e-6:
+        while self._points and self._points[-1].t >= motion.t:  # the flight went back
+            self._points.pop()
+        if not self._points or motion.t - self._points[-1].t > TRAIL_STEP - 1e-6:
             self._extend(motion)
 
     def add_frame(self, now: float, duration: float) -> None:
@@ -69,11 +73,11 @@ class History:
 
     def traces(self, now: float) -> Traces:
         """What is to be shown at `now`."""
-        last = self._alarm
+        last, points = self._alarm, list(self._points)
         alarm = last[1]._replace(age=max(now - last[0], 0.0)) if last else None
         return Traces(
-            self._trail(),
-            self._twist,
+            np.array([point.place for point in points]).reshape(len(points), 3),
+            points[-1].twist if points else 0.0,
             self._lateness.values(now),
             self._frame_time.values(now),
             alarm,
@@ -81,17 +85,10 @@ class History:
 
     def _extend(self, motion: Motion) -> None:
         angle = twist_angle(self._parameters, motion)
-        turned = (angle - self._twist + pi) % (2 * pi) - pi
-        self._twist = angle if self._count == 0 else self._twist + turned
-        self._points[self._count % TRAIL_POINTS] = motion.body.p_G_E
-        self._t = motion.t
-        self._count += 1
-
-    def _trail(self) -> NDArray[np.float64]:
-        count = self._count
-        if count <= TRAIL_POINTS:
-            return self._points[:count].copy()
-        return np.roll(self._points, -(count % TRAIL_POINTS), axis=0)
+        if self._points:
+            last = self._points[-1].twist
+            angle = last + (angle - last + pi) % (2 * pi) - pi
+        self._points.append(Point(motion.t, angle, motion.body.p_G_E))
 
 
 class Rolling:

@@ -148,7 +148,9 @@ class Instruments:
         elif name == "lines":
             paint_tensions(panel, p, motion, alarm)
         elif name == "knob":
-            paint_knob(panel, motion.control.delta, readings.delta_command, p.stick.delta)
+            paint_knob(
+                panel, motion.control.delta, readings.delta_command, p.stick.delta, readings.law
+            )
         else:
             _model(panel, readings)
 

@@ -3,15 +3,22 @@
 from math import cos, degrees, radians, sin
 
 from kitemj.cockpit.panel import CALL, DIM, LARGE, LEFT, NUMBER, RIGHT, TROUGH, WHITE, Panel
+from kitemj.physics.shaping import StickLaw
 
 SWEEP = 135.0  # deg from the top to a limit; to the right for the right hand
 HUB = (76.0, 60.0)
 OUTER, INNER = 52.0, 36.0
+ASKS = {StickLaw.RATE: "rate", StickLaw.ACCELERATION: "accel."}
 LEVEL = 1e-4  # rad, hands nearer than this are level
 
 
-def paint_knob(panel: Panel, delta: float, wish: float, limit: float) -> None:
-    """The instrument; δ, what the stick asks for and the limit of both in rad."""
+def paint_knob(
+    panel: Panel, delta: float, wish: float, limit: float, law: StickLaw = StickLaw.ANGLE
+) -> None:
+    """The instrument; δ, what the stick asks for and the limit of both in rad.
+
+    Under another `law` the stick asks for as large a part of that limit.
+    """
     colour = RIGHT if delta > LEVEL else LEFT if delta < -LEVEL else DIM
     hand = "RIGHT hand" if delta > LEVEL else "LEFT hand" if delta < -LEVEL else "hands level"
     actual, asked = _clipped(delta / limit), _clipped(wish / limit)
@@ -27,7 +34,8 @@ def paint_knob(panel: Panel, delta: float, wish: float, limit: float) -> None:
     x = HUB[0] + OUTER + 26
     panel.text(hand, x, 24, 20, colour)
     panel.text(f"δ {degrees(delta):+.2f}°", x, 62, LARGE - 4, WHITE)
-    panel.text(f"asked {degrees(wish):+.1f}°", x, 98, NUMBER - 5, CALL)
+    part = f"{degrees(wish):+.1f}°" if law is StickLaw.ANGLE else f"{wish / limit:+.0%} {ASKS[law]}"
+    panel.text(f"asked {part}", x, 98, NUMBER - 5, CALL)
     panel.text(f"±{degrees(limit):.1f}°", panel.width - 12, 98, align=1)
 
 

@@ -5,11 +5,14 @@ import os
 import sys
 import threading
 import time
+from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass
 
 from kitemj.cockpit.history import History
+from kitemj.cockpit.kept_states import Kept, KeptStates
 from kitemj.flight.live import TICK, Command, LiveFlight, Moment
+from kitemj.flight.validity import Ending
 from kitemj.recording.recorder import Recorder
 from kitemj.recording.table import Tick
 
@@ -46,7 +49,8 @@ class Pacer(threading.Thread):
     """Flies ticks as they come due; `command` is written to it, `moment` read from it.
 
     Both are replaced whole, so neither side waits for the other. `rate` is simulated over
-    wall time: 1 is real time, 0 a pause; it may be changed at any moment. `error` holds what
+    wall time: 1 is real time, 0 a pause; it may be changed at any moment. A kite that met the
+    ground stays as it met it until somebody goes back or begins again. `error` holds what
     ended the flight, if anything did; `history` and `recorder` are told of every tick.
     """
 
@@ -58,11 +62,11 @@ class Pacer(threading.Thread):
         self.command, self.rate = Command(), 1.0
         self.times = Timekeeping()
         self.error: Exception | None = None
-        self.moment: Moment = flight.restart()
-        self._tell(self.command, 0.0)
+        self._kept, self._leg = KeptStates(), -1
+        self._deeds: deque[str] = deque()
         self._stopping = threading.Event()
-        self._restarting = threading.Event()
-        self._stepping = threading.Event()
+        self.moment: Moment
+        self._restart()
 
     def run(self) -> None:
         """Ticks until `stop`; the interpreter hands over at once when a tick is due."""
@@ -71,20 +75,40 @@ class Pacer(threading.Thread):
         gc.disable()  # a search for cycles holds the interpreter for 50 ms; there are hardly any
         try:
             while not self._stopping.is_set():
-                if self.rate > 0:
+                if self._flying(self.rate):
                     self._keep_pace(self.rate)
-                elif self._stepping.wait(TICK):
-                    self._stepping.clear()
-                    self._tick(time.perf_counter())
+                else:
+                    time.sleep(TICK)
+                    self._obey()
         except Exception as error:  # shown by whoever flies; a thread's own end is silent
             self.error = error
+
+    @property
+    def grounded(self) -> bool:
+        """Whether the kite met the ground, and waits there."""
+        departure = self.moment.departure
+        return departure is not None and departure.ending is Ending.GROUND
+
+    def ask(self, deed: str) -> None:
+        """ "restart", "step" (while paused), "rewind", "save" or "load", before the next tick."""
+        self._deeds.append(deed)
+
+    def stop(self) -> None:
+        """Ends the flight after the tick that is under way."""
+        self._stopping.set()
+        self.join()
+        gc.enable()
+
+    def _flying(self, rate: float) -> bool:
+        return self.rate == rate > 0 and not self.grounded and not self._stopping.is_set()
 
     def _keep_pace(self, rate: float) -> None:
         """Ticks by the clock for as long as the rate stays."""
         origin, k = time.perf_counter(), 0
-        while self.rate == rate and not self._stopping.is_set():
+        while self._flying(rate):
             due = origin + k * TICK / rate
             self._wait(due)
+            self._obey()
             lateness = self._tick(due)
             self.times.note(lateness, TICK / rate, self.moment.gap or 0.0)
             k += 1
@@ -94,36 +118,47 @@ class Pacer(threading.Thread):
 
     def _tick(self, due: float) -> float:
         """One tick; how much later than `due` [s] it was done."""
-        if self._restarting.is_set():
-            self._restarting.clear()
-            self.moment = self.flight.restart()
-            self._tell(Command(), 0.0)
         command = self.command
         self.moment = self.flight.tick(command)
         lateness = time.perf_counter() - due
         self._tell(command, lateness)
         return lateness
 
-    def stop(self) -> None:
-        """Ends the flight after the tick that is under way."""
-        self._stopping.set()
-        self.join()
-        gc.enable()
+    def _obey(self) -> None:
+        """Does what was asked since."""
+        while self._deeds:
+            deed = self._deeds.popleft()
+            if deed == "restart":
+                self._restart()
+            elif deed == "step" and not self.rate and not self.grounded:
+                self._tick(time.perf_counter())
+            elif deed == "rewind":
+                self._go_on_from(self._kept.back(self.flight))
+            elif deed == "save":
+                self._kept.mark(self.flight, self._leg)
+            elif deed == "load":
+                self._go_on_from(self._kept.marked)
 
-    def restart(self) -> None:
-        """The flight begins anew with the next tick."""
-        self._restarting.set()
+    def _restart(self) -> None:
+        self._kept.forget()
+        self._leg += 1
+        self.moment = self.flight.restart()
+        self._tell(Command(), 0.0)
 
-    def step(self) -> None:
-        """One tick, while paused."""
-        self._stepping.set()
+    def _go_on_from(self, kept: Kept | None) -> None:
+        if kept:
+            self._leg += 1
+            self.moment = self.flight.resume(kept.saved)
+            self._tell(Command(), 0.0, kept.leg)
 
-    def _tell(self, command: Command, lateness: float) -> None:
+    def _tell(self, command: Command, lateness: float, resumed: int | None = None) -> None:
         flight, moment = self.flight, self.moment
+        if resumed is None:
+            self._kept.see(flight, self._leg)
         self.history.add(time.perf_counter(), moment.motion, lateness)
         if self.recorder:
             control = flight.segment.control
-            self.recorder.add(Tick(flight.ticks, control, command, moment, lateness))
+            self.recorder.add(Tick(flight.ticks, control, command, moment, lateness, resumed))
 
     @staticmethod
     def _wait(due: float) -> None:

@@ -21,6 +21,7 @@ from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.shaping import StickLaw
 from kitemj.physics.vectors import Vector, plus, times
 
 VIEWS: tuple[str, ...] = (*views.CAMERAS, "orbit")
@@ -38,7 +39,8 @@ class Readings(NamedTuple):
 
     model: str = "mujoco"
     gap: float | None = None  # m, distance to the reference
-    delta_command: float = 0.0  # rad, what the stick asks for
+    delta_command: float = 0.0  # rad, what the stick asks for, if it asks for δ
+    law: StickLaw = StickLaw.ANGLE  # what it asks for; the same part of another limit
     missed_ticks: int = 0
     lateness: float = 0.0  # s, of the last tick
     stick: str = ""  # what steers: "gamepad", "keys", "programme"

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
 from kitemj.dynamics.lagrange import accelerations, body
-from kitemj.dynamics.motion import Motion, Pair, State, air_of
+from kitemj.dynamics.motion import Motion, Pair, Snapshot, State, air_of
 from kitemj.dynamics.survey import COLUMNS, carry_law, moment_law, surveyed
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
@@ -162,6 +162,14 @@ class LagrangeKite:
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
         return motion_at(self.parameters, programme, self.t, self.state)
+
+    def snapshot(self) -> Snapshot:
+        """q and q̇."""
+        return Snapshot(self.t, (*self.state.q, *self.state.q_dot))
+
+    def restore(self, kept: Snapshot) -> None:
+        """Back to a snapshot."""
+        self.t, self.state = kept.t, State(Angles(*kept.numbers[:4]), Angles(*kept.numbers[4:]))
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], by scipy's DOP853: an integrator of others.

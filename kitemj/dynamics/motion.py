@@ -52,6 +52,13 @@ class Motion(NamedTuple):
     air: Air
 
 
+class Snapshot(NamedTuple):
+    """All that a model remembers of a flight at time `t` [s], in numbers of its own."""
+
+    t: float
+    numbers: tuple[float, ...]
+
+
 class Model(Protocol):
     """The same few verbs for every formulation."""
 
@@ -66,6 +73,12 @@ class Model(Protocol):
 
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
+
+    def snapshot(self) -> Snapshot:
+        """What `restore` needs to fly on from here to the same bits."""
+
+    def restore(self, kept: Snapshot) -> None:
+        """Back to a snapshot of a model with the same parameters and step."""
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], ascending, not before now; the last becomes now."""

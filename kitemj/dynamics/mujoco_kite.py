@@ -8,9 +8,10 @@ from math import ceil, isfinite, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kitemj.dynamics.engine import Array, Engine, body_of, build, place
-from kitemj.dynamics.motion import Motion, Pair, State, air_of, angles_of
+from kitemj.dynamics.motion import Motion, Pair, Snapshot, State, air_of, angles_of
 from kitemj.dynamics.slack import TAUT, catch, release, run_out, slack_excess
 from kitemj.dynamics.straight import straight_body
 from kitemj.dynamics.survey import COLUMNS, carry_law, moment_law, surveyed
@@ -246,6 +247,21 @@ class MujocoKite:
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
         return motion_at(self._engine, self.parameters, programme, self.t)
+
+    def snapshot(self) -> Snapshot:
+        """qpos, qvel, each line's switch and R f, and where the engine's solver starts from."""
+        return Snapshot(self.t, tuple(np.concatenate(self._remembered()).tolist()))
+
+    def restore(self, kept: Snapshot) -> None:
+        """Back to a snapshot."""
+        self.t, numbers = kept.t, np.array(kept.numbers)
+        for array in self._remembered():
+            array[:], numbers = numbers[: len(array)], numbers[len(array) :]
+
+    def _remembered(self) -> tuple[NDArray[Any], ...]:
+        """All that one step hands to the next; everything else is written anew."""
+        e = self._engine
+        return e.qpos, e.qvel, e.eq_active, e.softness, self._data.qacc_warmstart
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], stepped from one to the next."""

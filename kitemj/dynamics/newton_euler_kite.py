@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.motion import Motion, Pair, State, air_of, angles_of
+from kitemj.dynamics.motion import Motion, Pair, Snapshot, State, air_of, angles_of
 from kitemj.dynamics.newton_euler import (
     Free,
     accelerations,
@@ -135,6 +135,16 @@ class NewtonEulerKite:
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
         return motion_of(self.parameters, programme, self.t, self._y)
+
+    def snapshot(self) -> Snapshot:
+        """Position, attitude and both velocities."""
+        x = np.empty(13)
+        put(self._y, x)
+        return Snapshot(self.t, tuple(x.tolist()))
+
+    def restore(self, kept: Snapshot) -> None:
+        """Back to a snapshot."""
+        self.t, self._y = kept.t, free(np.array(kept.numbers))
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], by DOP853 with error control.

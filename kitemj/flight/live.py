@@ -8,7 +8,7 @@ of clocks or screens.
 from math import isfinite
 from typing import NamedTuple
 
-from kitemj.dynamics.motion import Motion
+from kitemj.dynamics.motion import Motion, Snapshot
 from kitemj.errors import FlightError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.scenario import Scenario
@@ -45,6 +45,17 @@ class Moment(NamedTuple):
     departure: Departure | None
 
 
+class Saved(NamedTuple):
+    """A live flight at the end of a tick; resumed, it flies on from here to the same bits."""
+
+    ticks: int
+    segment: Segment
+    following: bool
+    moment: Moment
+    kite: Snapshot
+    ghost: Snapshot
+
+
 class LiveFlight:
     """The model `model` beside the model `reference`, both started as `scenario` says."""
 
@@ -71,7 +82,8 @@ class LiveFlight:
         self._following = True
         self.kite.start(self.scenario.start, self.segment)
         self.ghost.start(self.scenario.start, self.segment)
-        return self._moment(still.delta)
+        self.moment = self._moment(still.delta)
+        return self.moment
 
     def tick(self, command: Command) -> Moment:
         """Flies one tick with the stick at `command`; raises FlightError where that diverges."""
@@ -81,7 +93,20 @@ class LiveFlight:
         wish, rate = asked(limits, command.law, command.delta, now, TICK)
         self.segment = shaped(limits, now, start, TICK, wish, reach, self.ell_rest, rate)
         self.fly(self.segment)
-        return self._moment(wish)
+        self.moment = self._moment(wish)
+        return self.moment
+
+    def save(self) -> Saved:
+        """The flight as it is now."""
+        kite, ghost = self.kite.snapshot(), self.ghost.snapshot()
+        return Saved(self.ticks, self.segment, self._following, self.moment, kite, ghost)
+
+    def resume(self, saved: Saved) -> Moment:
+        """Back to a moment of this flight; it was looked at then, so it is not flown again."""
+        self.ticks, self.segment, self._following, self.moment, kite, ghost = saved
+        self.kite.restore(kite)
+        self.ghost.restore(ghost)
+        return self.moment
 
     def fly(self, programme: Programme) -> None:
         """Both models through one tick of `programme`."""

@@ -46,12 +46,25 @@ class Recording:
         starts = np.flatnonzero(np.diff(self.columns["leg"], prepend=-1)).tolist()
         return [slice(a, b) for a, b in zip(starts, [*starts[1:], len(self)], strict=True)]
 
+    def way_to(self, leg: slice) -> NDArray[np.intp]:
+        """The rows flown from a start at tick 0 to the end of `leg`, those of its parents first."""
+        tick, legs = self.columns["tick"], self.legs
+        ways, first = [np.arange(leg.start, leg.stop)], int(tick[leg.start])
+        while first > 0:
+            leg = legs[int(self.columns["parent"][leg.start])]
+            rows = np.arange(leg.start, leg.stop)
+            ways.insert(0, rows[tick[rows] < first])
+            first = min(first, int(tick[leg.start]))
+        return np.concatenate(ways)
+
     def before(self, limits: Sequence[str]) -> NDArray[np.bool_]:
-        """Rows before the first of their leg that is beyond one of `limits`, shape (rows,)."""
+        """Rows before the first of their flight that is beyond one of `limits`, shape (rows,)."""
         rows = np.ones(len(self), np.bool_)
         for leg in self.legs:
-            beyond = [self.columns[name][leg] for name in limits]
-            rows[leg] = ~np.logical_or.accumulate(np.any(beyond, axis=0)) if beyond else True
+            way = self.way_to(leg)
+            beyond = [np.zeros(len(way), np.bool_), *(self.columns[name][way] for name in limits)]
+            within = ~np.logical_or.accumulate(np.any(beyond, axis=0))
+            rows[leg] = within[way >= leg.start]
         return rows
 
     def departure(self, leg: slice) -> tuple[int, str] | None:

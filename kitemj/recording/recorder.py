@@ -44,6 +44,8 @@ def schema(header: Header) -> pa.Schema:
 class Recorder:
     """Writes ticks to a new file `path`; `add` costs a microsecond and never waits.
 
+    A tick with number 0 begins a leg, and so does one at which the flight was resumed.
+
     Raises InputError where `path` exists or cannot be written. `problem` is what the person
     should know of the disk at present, `written` counts the ticks in the file.
     """
@@ -56,7 +58,7 @@ class Recorder:
         self._parameters, self._schema = parameters, schema(header)
         self._queue: deque[Tick] = deque()
         self._waiting: deque[tuple[int, bytes]] = deque()
-        self._leg, self._size, self._given_up = -1, 0, False
+        self._leg, self._parent, self._size, self._given_up = -1, -1, 0, False
         self._sink = io.BytesIO()
         self._stream = pa.ipc.new_stream(self._sink, self._schema)
         try:
@@ -72,7 +74,7 @@ class Recorder:
         self._thread.start()
 
     def add(self, tick: Tick) -> None:
-        """Takes a tick; its number 0 begins a new leg."""
+        """Takes a tick."""
         self._queue.append(tick)
 
     def close(self, ending: str) -> str:
@@ -105,8 +107,10 @@ class Recorder:
             return
         legs = []
         for tick in ticks:
-            self._leg += tick.tick == 0
-            legs.append(self._leg)
+            if tick.tick == 0 or tick.resumed is not None:
+                self._leg += 1
+                self._parent = self._leg if tick.resumed is None else tick.resumed
+            legs.append((self._leg, self._parent))
         columns = table(self._parameters, ticks, legs)
         batch = pa.record_batch(list(columns.values()), schema=self._schema)
         self._stream.write_batch(batch, custom_metadata=about or None)

@@ -87,12 +87,15 @@ def flown_again(recording: Recording, model: str, step: float | None = None) -> 
 def _flown(
     recording: Recording, leg: slice, model: str, step: float
 ) -> Iterator[tuple[int, list[float]]]:
-    """Each row of a leg with its motion, by the very calls that `LiveFlight` makes."""
+    """Each row of a leg with its motion, by the very calls that `LiveFlight` makes.
+
+    A leg that goes on from another is flown from that one's start.
+    """
     kite = make_model(model, recording.parameters, step)
-    tick = recording.header.tick
-    steering = zip(*(recording.columns[name][leg].tolist() for name in STEERING), strict=True)
-    numbers = recording.columns["tick"][leg].tolist()
-    for row, k, control in zip(range(leg.start, leg.stop), numbers, steering, strict=True):
+    tick, way = recording.header.tick, recording.way_to(leg)
+    steering = zip(*(recording.columns[name][way].tolist() for name in STEERING), strict=True)
+    numbers = recording.columns["tick"][way].tolist()
+    for row, k, control in zip(way.tolist(), numbers, steering, strict=True):
         if k == 0:
             segment = Segment(0.0, Control(*control))
             kite.start(recording.header.state, segment)
@@ -100,4 +103,6 @@ def _flown(
             segment = Segment((k - 1) * tick, Control(*control))
             kite.advance(segment, tick)
             kite.t = k * tick
-        yield row, motion_row(kite.motion(segment))
+        motion = motion_row(kite.motion(segment))
+        if row >= leg.start:
+            yield row, motion

@@ -27,8 +27,12 @@ RATES = ("omega_x_B_rad_s", "omega_y_B_rad_s", "omega_z_B_rad_s")
 MOTION = (*COLUMNS, *ATTITUDE, *VELOCITY, *RATES, "airspeed_m_s")
 """Of any model's motion; R_BE takes components in E to components in B, row by row."""
 
-PLACE = ("leg", "tick")
-"""Which flight of the recording (each restart begins one), which tick in it; whole numbers."""
+PLACE = ("leg", "tick", "parent")
+"""Which flight of the recording (each restart begins one), which tick in it; whole numbers.
+
+A leg that does not begin at tick 0 goes on from that tick of the leg `parent`, an earlier one:
+somebody went back in time. Its first row is that tick once more.
+"""
 
 STICK = ("stick_delta", "stick_ell", "stick_law")
 """The law is 0, 1 or 2 where the stick asks for δ, δ̇ or δ̈."""
@@ -53,13 +57,17 @@ NOWHERE = (nan,) * len(REFERENCE)
 
 
 class Tick(NamedTuple):
-    """What one tick leaves behind; `control` is that of its segment, `lateness` in s."""
+    """What one tick leaves behind; `control` is that of its segment, `lateness` in s.
+
+    `resumed`: the leg that the flight went back to, for the row at which it goes on.
+    """
 
     tick: int
     control: Control
     command: Command
     moment: Moment
     lateness: float
+    resumed: int | None = None
 
 
 def motion_row(motion: Motion) -> list[float]:
@@ -68,12 +76,14 @@ def motion_row(motion: Motion) -> list[float]:
     return [*row(motion), *R.x, *R.y, *R.z, *v, *omega, motion.air.speed]
 
 
-def table(parameters: Parameters, ticks: Sequence[Tick], legs: Sequence[int]) -> Columns:
-    """The columns of `ALL` of some ticks; `legs` says which leg each belongs to."""
+def table(
+    parameters: Parameters, ticks: Sequence[Tick], legs: Sequence[tuple[int, int]]
+) -> Columns:
+    """The columns of `ALL` of some ticks; `legs` has the leg and the parent of each."""
     rows = [_numbers(tick) for tick in ticks]
     numbers = np.array(rows, np.float64).reshape(len(rows), len(NUMBERS)).T.copy()
     columns: dict[str, NDArray[Any]] = dict(zip(NUMBERS, numbers, strict=True))
-    columns["leg"] = np.array(legs, np.int32)
+    columns["leg"], columns["parent"] = np.array(legs, np.int32).reshape(len(rows), 2).T.copy()
     columns["tick"] = np.array([tick.tick for tick in ticks], np.int32)
     columns |= beyond(parameters, columns)
     columns["ground"] = np.array([_grounded(tick.moment) for tick in ticks], np.bool_)

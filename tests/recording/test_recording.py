@@ -21,7 +21,7 @@ from kitemj.recording.file import read_recording
 from kitemj.recording.header import from_json, header_of, to_json
 from kitemj.recording.recorder import moment_name
 from kitemj.recording.summary import parameters_in_words, summary
-from kitemj.recording.table import ALL, LIMITS, STEERING, beyond
+from kitemj.recording.table import ALL, LIMITS, STEERING, STICK, beyond
 from tests.recording.flights import LOOPS, live_flight, recorded, recorder_of, restless, tick_of
 
 CRASH_COSTS = 1.0
@@ -51,7 +51,7 @@ def test_every_number_comes_back_to_the_last_bit(tmp_path):
     for i, (moment, segment, command) in enumerate(seen):
         assert [table[name][i] for name in STEERING] == list(segment.control)
         assert [table[name][i] for name in COLUMNS] == row(moment.motion)
-        assert (table["stick_delta"][i], table["stick_ell"][i]) == command
+        assert [table[name][i] for name in STICK] == list(command)
         assert table["gap_m"][i] == moment.gap
         assert table["lateness_s"][i] == 0.001 * i
         assert table["ref_x_E_m"][i] == moment.reference.body.p_G_E.x

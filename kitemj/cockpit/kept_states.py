@@ -1,0 +1,48 @@
+"""The last minutes of a flight, to go back to, and one moment that somebody marked."""
+
+from collections import deque
+from typing import NamedTuple
+
+from kitemj.flight.live import TICK, LiveFlight, Saved
+
+EVERY = 1.0
+"""s of flight between the moments that are kept."""
+MINUTES = 5.0
+"""How far back they go: 300 moments of 4 kB."""
+BACK = 5.0
+"""s; how far one step back goes, at least."""
+
+
+class Kept(NamedTuple):
+    """A moment, and the leg of the recording in which it was flown."""
+
+    leg: int
+    saved: Saved
+
+
+class KeptStates:
+    """Sees every tick of a flight; belongs to the thread that flies."""
+
+    def __init__(self) -> None:
+        self._past: deque[Kept] = deque(maxlen=round(60 * MINUTES / EVERY))
+        self.marked: Kept | None = None
+
+    def see(self, flight: LiveFlight, leg: int) -> None:
+        """Keeps the moment if it is time to."""
+        if flight.ticks % round(EVERY / TICK) == 0:
+            self._past.append(Kept(leg, flight.save()))
+
+    def mark(self, flight: LiveFlight, leg: int) -> None:
+        """Keeps the present moment until another is marked."""
+        self.marked = Kept(leg, flight.save())
+
+    def back(self, flight: LiveFlight) -> Kept | None:
+        """The kept moment `BACK` or a little more ago, else the first; forgets what came after."""
+        wanted = flight.ticks - round(BACK / TICK)
+        while len(self._past) > 1 and self._past[-1].saved.ticks > wanted:
+            self._past.pop()
+        return self._past[-1] if self._past else None
+
+    def forget(self) -> None:
+        """The flight begins anew; a marked moment stays."""
+        self._past.clear()

@@ -1,0 +1,79 @@
+"""A flight that goes back to a saved moment flies on from there to the same bits."""
+
+import numpy as np
+import pytest
+
+from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.scenario import scenario_of
+from kitemj.flight.simulate import MODELS
+from tests.recording.flights import LOOPS, restless
+
+SPORT = {"set": "sport", "duration": 60.0}
+VIOLENT = LOOPS | {"stick": {"delta": 0.9, "delta_dot": 3.0, "delta_ddot": 20.0}}
+GUSTS = {
+    "set": "laksa",
+    "duration": 60.0,
+    "wind": {"exponent": 0.14, "gust_amplitude": 0.1, "gust_frequency": 0.6},
+}
+
+
+def flat(value):
+    """All numbers of nested tuples."""
+    if isinstance(value, tuple):
+        for part in value:
+            yield from flat(part)
+    else:
+        yield float(value)
+
+
+def numbers(moment):
+    return np.array(list(flat(moment.motion)))
+
+
+def flown(flight, stick, ticks):
+    return [flight.tick(next(stick)) for _ in range(ticks)]
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("tables", [SPORT, GUSTS], ids=["sport", "gusts"])
+def test_resumed_flight_has_the_same_bits(model, tables):
+    flight = LiveFlight(scenario_of(tables, "test"), model)
+    flown(flight, restless(1), 150)
+    saved = flight.save()
+    first = flown(flight, restless(2), 200)
+    assert flight.resume(saved) is saved.moment
+    again = flown(flight, restless(2), 200)
+    for one, other in zip(first, again, strict=True):
+        assert np.array_equal(numbers(one).view(np.int64), numbers(other).view(np.int64))
+        assert one.gap == other.gap
+
+
+def test_resumed_flight_has_the_same_bits_with_slack_lines_and_on_the_ground():
+    flight = LiveFlight(scenario_of(VIOLENT, "test"))
+    stick = restless(5, hold=25)
+    moments, saved = [], []
+    for _ in range(700):
+        saved.append(flight.save())
+        moments.append(flight.tick(next(stick)))
+    slack = [min(moment.motion.tensions) == 0.0 for moment in moments]
+    ground = [str(moment.departure and moment.departure.ending) for moment in moments]
+    assert any(slack)
+    assert "Ending.GROUND" in ground
+    for k in (slack.index(True) + 2, ground.index("Ending.GROUND") + 5):
+        flight.resume(saved[k])
+        stick = restless(5, hold=25)
+        commands = [next(stick) for _ in range(700)]
+        for moment, command in zip(moments[k : k + 60], commands[k : k + 60], strict=False):
+            again = numbers(flight.tick(command))
+            assert np.array_equal(again.view(np.int64), numbers(moment).view(np.int64))
+
+
+def test_another_stick_after_going_back_is_another_flight():
+    flight = LiveFlight(scenario_of(SPORT, "test"))
+    flown(flight, restless(1), 50)
+    saved = flight.save()
+    first = flown(flight, iter([Command(1.0)] * 100), 100)
+    flight.resume(saved)
+    other = flown(flight, iter([Command(-1.0)] * 100), 100)
+    apart = np.subtract(first[-1].motion.body.p_G_E, other[-1].motion.body.p_G_E)
+    assert np.linalg.norm(apart) > 0.1

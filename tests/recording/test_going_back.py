@@ -1,0 +1,100 @@
+"""A recording of somebody who went back in time is flown again to the same bits."""
+
+import numpy as np
+import pytest
+
+from kitemj.cockpit.history import History
+from kitemj.cockpit.kept_states import BACK, EVERY
+from kitemj.cockpit.pacing import Pacer
+from kitemj.flight.live import TICK
+from kitemj.recording.file import read_recording
+from kitemj.recording.replay import flown_again
+from tests.recording.flights import live_flight, recorder_of, restless
+
+SPORT = {"set": "sport", "duration": 60.0}
+
+
+def flown(path, doings, tables=SPORT):
+    """Ticks by hand, not by the clock; `doings` are numbers of ticks to fly, and deeds."""
+    flight, stick = live_flight(tables), restless(3)
+    recorder = recorder_of(flight, path)
+    pacer = Pacer(flight, History(flight.parameters), recorder)
+    for doing in doings:
+        if isinstance(doing, str):
+            pacer.ask(doing)
+            pacer._obey()
+        else:
+            for _ in range(doing):
+                pacer.command = next(stick)
+                pacer._tick(0.0)
+    recorder.close("done")
+    return read_recording(path), pacer
+
+
+def legs_of(recording):
+    """(leg, parent, first tick, last tick) of each leg."""
+    leg, parent, tick = (recording.columns[name].tolist() for name in ("leg", "parent", "tick"))
+    ends = [(each.start, each.stop - 1) for each in recording.legs]
+    return [(leg[first], parent[first], tick[first], tick[last]) for first, last in ends]
+
+
+def test_back_marked_and_again_to_the_same_bits(tmp_path):
+    doings = [730, "rewind", 50, "save", 120, "rewind", "rewind", 40, "load", 60, "restart", 30]
+    recording, _ = flown(tmp_path / "x.arrows", doings)
+    assert legs_of(recording) == [
+        (0, 0, 0, 730),
+        (1, 0, 200, 370),  # at least BACK, at a second that was kept
+        (2, 0, 0, 0),  # 370 - 500 is before the start: the first that is kept
+        (3, 0, 0, 40),
+        (4, 1, 250, 310),
+        (5, 5, 0, 30),
+    ]
+    assert flown_again(recording, "mujoco").identical
+    other = flown_again(recording, "lagrange")
+    gap, _ = other.largest_gap(other.comparable)
+    assert gap < 1e-5  # m; a restless stick: 3 µm in steps of 2 ms, a sixteenth in steps of 1 ms
+
+
+def test_going_back_shows_in_the_recording_as_the_moment_itself(tmp_path):
+    recording, _ = flown(tmp_path / "x.arrows", [730, "rewind", 10])
+    first, then = recording.legs
+    before, again = first.start + 200, then.start
+    for name in ("x_E_m", "y_E_m", "z_E_m", "delta_rad", "tension_plus_N", "t_s"):
+        assert recording.columns[name][before] == recording.columns[name][again]
+
+
+def test_nothing_marked_is_nothing_loaded(tmp_path):
+    recording, pacer = flown(tmp_path / "x.arrows", [10, "load", 10])
+    assert legs_of(recording) == [(0, 0, 0, 20)]
+    assert pacer.moment.motion.t == pytest.approx(20 * TICK)
+
+
+def test_limits_left_before_a_branch_count_for_the_branch(tmp_path):
+    """The thesis kite let go with its nose high is beyond stall at first, and comes back."""
+    tables = {"set": "thesis", "duration": 60.0, "start": {"theta_deg": 25.0}}
+    recording, _ = flown(tmp_path / "x.arrows", [700, "rewind", 20], tables)
+    within = recording.before(("stall",))
+    assert not within[recording.legs[1]].any()
+
+
+def test_the_kept_past_does_not_grow(tmp_path):
+    flight = live_flight(SPORT)
+    pacer = Pacer(flight, History(flight.parameters))
+    pacer._kept._past = type(pacer._kept._past)(maxlen=4)
+    for _ in range(1000):
+        pacer._tick(0.0)
+    assert len(pacer._kept._past) == 4
+    pacer.ask("rewind")
+    pacer._obey()
+    assert flight.ticks == 1000 - 3 * round(EVERY / TICK)  # all that is left of BACK
+    assert BACK > 3 * EVERY
+
+
+def test_trail_ends_where_the_flight_went_back_to(tmp_path):
+    _, pacer = flown(tmp_path / "x.arrows", [730])
+    long = pacer.history.traces(0.0).trail
+    pacer.ask("rewind")
+    pacer._obey()
+    short = pacer.history.traces(0.0).trail
+    assert len(short) == pytest.approx(len(long) * 200 / 730, abs=2)
+    assert np.array_equal(short[:60], long[:60])
