@@ -6,11 +6,24 @@ import time
 from collections.abc import Sequence
 from importlib.metadata import version
 
-from kitemj.commands import compare, film, fly, info, replay, simulate, stability, sweep, trim
+from kitemj.commands import (
+    compare,
+    film,
+    fly,
+    info,
+    pad,
+    reach,
+    realtime,
+    replay,
+    simulate,
+    stability,
+    sweep,
+    trim,
+)
 from kitemj.commands.words import Parser
 from kitemj.errors import FlightError, InputError, NoGraphics
 
-COMMANDS = (fly, simulate, compare, film, replay, info, trim, stability, sweep)
+COMMANDS = (fly, simulate, compare, film, replay, info, trim, stability, sweep, pad, reach, realtime)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -20,8 +20,8 @@ from kitemj.cockpit.history import History, Traces
 from kitemj.cockpit.instruments import PANELS, Instruments
 from kitemj.cockpit.pacing import Pacer
 from kitemj.cockpit.picture import VIEWS, Picture, Readings
-from kitemj.cockpit.screens import HELP
-from kitemj.cockpit.stick import SHOW
+from kitemj.cockpit.actions import HELP
+from kitemj.cockpit.shows import show_of
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.compare import position_gap
 from kitemj.flight.live import TICK, LiveFlight
@@ -90,7 +90,7 @@ def live(folder: Path) -> None:
     """20 s in real time, painted as fast as it goes: everything that the cockpit shows."""
     flight = LiveFlight(scenario_of({"set": "thesis", "duration": LIVE + 1.0}, "live"))
     flight.warm_up()
-    history = History(flight.parameters)
+    history, stick = History(flight.parameters), show_of(flight.parameters)
     pacer = Pacer(flight, history)
     with Picture(flight.parameters, *SIZE) as picture:
         picture.paint(pacer.moment.motion, None, Readings())
@@ -98,13 +98,13 @@ def live(folder: Path) -> None:
         begun = time.perf_counter()
         while time.perf_counter() < begun + LIVE:
             start, moment = time.perf_counter(), pacer.moment
-            pacer.command = SHOW.command(moment.motion)
+            pacer.command = stick.command(moment.motion)
             readings = Readings(
                 gap=moment.gap,
                 delta_command=moment.wish,
                 missed_ticks=pacer.times.missed,
                 lateness=pacer.times.lateness,
-                stick=SHOW.name,
+                stick=stick.name,
                 traces=history.traces(start),
             )
             frame = picture.paint(moment.motion, moment.reference, readings)

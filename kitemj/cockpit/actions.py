@@ -36,9 +36,7 @@ ACTIONS = (
     Action("full screen", (pygame.K_F11, pygame.K_f), "F11   F", "full screen"),
     Action("next lesson", (pygame.K_n,), "N   B", "next lesson; begin the lesson again"),
     Action("begin lesson", (pygame.K_b,), "", ""),
-    Action(
-        "help", (pygame.K_F1, pygame.K_SLASH, pygame.K_QUESTION), "F1   ?", "this page"
-    ),
+    Action("help", (pygame.K_F1, pygame.K_SLASH, pygame.K_QUESTION), "F1   ?", "this page"),
     Action("leave", (pygame.K_ESCAPE,), "Esc", "leave"),
 )
 

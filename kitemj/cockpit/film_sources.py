@@ -14,6 +14,7 @@ from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import simulate
 from kitemj.flight.validity import departure_at
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.shaping import StickLaw
 from kitemj.recording.file import Recording
 from kitemj.recording.motion import Track
 from kitemj.recording.replay import Replay
@@ -81,7 +82,8 @@ class Recorded:
         self.duration = self._track.last * self._tick
         columns = recording.columns
         self._gaps = np.where(again.comparable, again.gaps, nan) if again else columns["gap_m"]
-        self._wish, self._lateness = columns["stick_delta"], columns["lateness_s"]
+        self._wish, self._law = columns["stick_delta"], columns["stick_law"]
+        self._lateness = columns["lateness_s"]
         self._missed = np.cumsum(self._lateness > self._tick)
         self._traces = RecordedTraces(recording, self._track)
         self._legs, self._leg = len(recording.legs), columns["leg"]
@@ -101,6 +103,7 @@ class Recorded:
             model=self._model,
             gap=gap if isfinite(gap) else None,
             delta_command=float(self._wish[row]) * self._stick,
+            law=StickLaw(int(self._law[row])),
             missed_ticks=int(self._missed[row]),
             lateness=float(self._lateness[row]),
             stick=f"{self._label}{restarts}",

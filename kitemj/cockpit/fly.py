@@ -1,16 +1,20 @@
 """`kitemj fly`: a stick, a real-time flight, a picture of it."""
 
 import time
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import pygame
 
-from kitemj.cockpit.actions import HELP, Wishes
+from kitemj.cockpit.actions import FLIGHT_DEEDS, HELP, Wishes
 from kitemj.cockpit.history import History
 from kitemj.cockpit.pacing import Pacer, Timekeeping
 from kitemj.cockpit.picture import Picture, Readings
-from kitemj.cockpit.screens import FRAME_RATE, Screen
+from kitemj.cockpit.programmed import ProgrammedStick
+from kitemj.cockpit.screens import FRAME_RATE, Frame, Screen
+from kitemj.flight.course import Course
 from kitemj.flight.live import TICK, Command, LiveFlight
+from kitemj.recording.going_on import Flown
 from kitemj.recording.recorder import Recorder
 
 
@@ -50,17 +54,20 @@ def fly(
     duration: float | None = None,
     called: float | None = None,
     recorder: Recorder | None = None,
+    past: Iterable[Flown] = (),
+    course: Course | None = None,
 ) -> Summary:
     """Flies until the screen is left, Ctrl-C, or `duration` [s] of wall time have passed.
 
     `called` [s, perf_counter]: since when the first frame is waited for; now, if left out.
-    `recorder` takes every tick, and is closed at the end.
+    `recorder` takes every tick, and is closed at the end. `past` is flown before anything is
+    shown. `course`: the lessons; it watches what is painted.
     Raises what ended the physics thread, if anything did, once the screen is closed.
     """
     called = called or time.perf_counter()
     flight.warm_up()
     history = History(flight.parameters)
-    pacer = Pacer(flight, history, recorder)
+    pacer = Pacer(flight, history, recorder, past)
     ending, recording = "left by the pilot", "none"
     frames, first, clock = 0, 0.0, pygame.time.Clock()
     picture.paint(pacer.moment.motion, None, Readings(), screen.wishes.view)
@@ -73,9 +80,14 @@ def fly(
                 ending = "as long as was asked"
                 break
             screen.poll()
+            if isinstance(screen.stick, ProgrammedStick):
+                screen.wishes.ask(screen.stick.actions(painting - begun))
             command = pacer.command = screen.stick.command(pacer.moment.motion)
-            _grant(screen.wishes, pacer, picture)
-            _paint(pacer, picture, screen, command, painting - begun)
+            _grant(screen.wishes, pacer, picture, course)
+            if course:
+                course.watch(pacer.moment.motion)
+            frame = _painted(pacer, picture, screen, command, course)
+            screen.show(frame, painting - begun)
             frames += 1
             history.add_frame(painting, time.perf_counter() - painting)
             first = first or time.perf_counter() - called
@@ -93,12 +105,18 @@ def fly(
     return Summary(pacer.times.ticks * TICK, pacer.times, frames, wall, first, recording)
 
 
-def _grant(wishes: Wishes, pacer: Pacer, picture: Picture) -> None:
-    """What the person wants of time and picture."""
+def _grant(wishes: Wishes, pacer: Pacer, picture: Picture, course: Course | None) -> None:
+    """What the person wants of time, picture and lessons."""
     deeds, turn, zoom = wishes.taken()
     pacer.rate = wishes.rate
     for deed in deeds:
-        pacer.ask(deed)
+        if deed in FLIGHT_DEEDS:
+            pacer.ask(deed)
+        elif course and deed == "next lesson":
+            course.skip()
+        elif course and deed == "begin lesson":
+            course.begin_again()
+            pacer.ask("restart")
     if turn != (0.0, 0.0):
         picture.orbit(*turn)
     if zoom != 1.0:
@@ -106,7 +124,10 @@ def _grant(wishes: Wishes, pacer: Pacer, picture: Picture) -> None:
     picture.shown = wishes.shown
 
 
-def _paint(pacer: Pacer, picture: Picture, screen: Screen, command: Command, wall: float) -> None:
+def _painted(
+    pacer: Pacer, picture: Picture, screen: Screen, command: Command, course: Course | None
+) -> Frame:
+    """The frame of the present moment; the pointer of the knob is where the stick is now."""
     moment, times, wishes = pacer.moment, pacer.times, screen.wishes
     disk = pacer.recorder.problem if pacer.recorder else ""
     readings = Readings(
@@ -121,6 +142,7 @@ def _paint(pacer: Pacer, picture: Picture, screen: Screen, command: Command, wal
         message=screen.message or disk,
         traces=pacer.history.traces(time.perf_counter()),
         help=HELP if wishes.help else (),
+        lesson=course.standing if course else None,
+        touch=pacer.touch,
     )
-    frame = picture.paint(moment.motion, moment.reference, readings, wishes.view)
-    screen.show(frame, wall)
+    return picture.paint(moment.motion, moment.reference, readings, wishes.view)

@@ -6,13 +6,15 @@ import sys
 import threading
 import time
 from collections import deque
+from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
 
 from kitemj.cockpit.history import History
 from kitemj.cockpit.kept_states import Kept, KeptStates
+from kitemj.flight.crash import FirstTouch, Touch
 from kitemj.flight.live import TICK, Command, LiveFlight, Moment
-from kitemj.flight.validity import Ending
+from kitemj.recording.going_on import Flown
 from kitemj.recording.recorder import Recorder
 from kitemj.recording.table import Tick
 
@@ -20,17 +22,22 @@ MAX_LAG = 0.25
 """s; further behind than this the flight does not race after the clock: time is let go."""
 
 
+FRAME = 1 / 30
+"""s; what a person sees at once."""
+
+
 @dataclass
 class Timekeeping:
     """How well real time was kept.
 
     Tick k is to be done within `TICK` of the moment at which it is due; `missed` counts
-    those that were not. `lateness` and `worst` [s]: from due to done. `lost` [s]: wall time
-    that was let go (a machine asleep), not flown.
+    those that were not, `late` those that were later than a frame. `lateness` and `worst`
+    [s]: from due to done. `lost` [s]: wall time that was let go (a machine asleep), not flown.
     """
 
     ticks: int = 0
     missed: int = 0
+    late: int = 0
     lateness: float = 0.0
     worst: float = 0.0
     largest_gap: float = 0.0
@@ -42,6 +49,7 @@ class Timekeeping:
         self.lateness = lateness
         self.worst = max(self.worst, lateness)
         self.missed += lateness > allowed
+        self.late += lateness > FRAME
         self.largest_gap = max(self.largest_gap, gap)
 
 
@@ -55,8 +63,13 @@ class Pacer(threading.Thread):
     """
 
     def __init__(
-        self, flight: LiveFlight, history: History, recorder: Recorder | None = None
+        self,
+        flight: LiveFlight,
+        history: History,
+        recorder: Recorder | None = None,
+        past: Iterable[Flown] = (),
     ) -> None:
+        """`past`: ticks that are flown at once, before the first that is paced."""
         super().__init__(name="physics", daemon=True)
         self.flight, self.history, self.recorder = flight, history, recorder
         self.command, self.rate = Command(), 1.0
@@ -67,6 +80,9 @@ class Pacer(threading.Thread):
         self._stopping = threading.Event()
         self.moment: Moment
         self._restart()
+        for command, segment in past:
+            self.moment = flight.fly(segment)
+            self._tell(command, 0.0)
 
     def run(self) -> None:
         """Ticks until `stop`; the interpreter hands over at once when a tick is due."""
@@ -84,10 +100,9 @@ class Pacer(threading.Thread):
             self.error = error
 
     @property
-    def grounded(self) -> bool:
-        """Whether the kite met the ground, and waits there."""
-        departure = self.moment.departure
-        return departure is not None and departure.ending is Ending.GROUND
+    def touch(self) -> Touch | None:
+        """How the kite met the ground, where it waits now."""
+        return self._ground.touch
 
     def ask(self, deed: str) -> None:
         """ "restart", "step" (while paused), "rewind", "save" or "load", before the next tick."""
@@ -100,7 +115,7 @@ class Pacer(threading.Thread):
         gc.enable()
 
     def _flying(self, rate: float) -> bool:
-        return self.rate == rate > 0 and not self.grounded and not self._stopping.is_set()
+        return self.rate == rate > 0 and not self.touch and not self._stopping.is_set()
 
     def _keep_pace(self, rate: float) -> None:
         """Ticks by the clock for as long as the rate stays."""
@@ -130,7 +145,7 @@ class Pacer(threading.Thread):
             deed = self._deeds.popleft()
             if deed == "restart":
                 self._restart()
-            elif deed == "step" and not self.rate and not self.grounded:
+            elif deed == "step" and not self.rate and not self.touch:
                 self._tick(time.perf_counter())
             elif deed == "rewind":
                 self._go_on_from(self._kept.back(self.flight))
@@ -141,18 +156,23 @@ class Pacer(threading.Thread):
 
     def _restart(self) -> None:
         self._kept.forget()
-        self._leg += 1
+        self._begin_leg()
         self.moment = self.flight.restart()
         self._tell(Command(), 0.0)
 
+    def _begin_leg(self) -> None:
+        self._leg += 1
+        self._ground = FirstTouch(self.flight.parameters)
+
     def _go_on_from(self, kept: Kept | None) -> None:
         if kept:
-            self._leg += 1
+            self._begin_leg()
             self.moment = self.flight.resume(kept.saved)
             self._tell(Command(), 0.0, kept.leg)
 
     def _tell(self, command: Command, lateness: float, resumed: int | None = None) -> None:
         flight, moment = self.flight, self.moment
+        self._ground.watch(moment.motion)
         if resumed is None:
             self._kept.see(flight, self._leg)
         self.history.add(time.perf_counter(), moment.motion, lateness)

@@ -19,6 +19,8 @@ from kitemj.cockpit.scene import Scene
 from kitemj.cockpit.trail import paint_trail, seen
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
+from kitemj.flight.course import Standing
+from kitemj.flight.crash import Touch
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
@@ -47,6 +49,8 @@ class Readings(NamedTuple):
     speed: float = 1.0  # simulated time over wall time
     message: str = ""  # one line that must be seen
     traces: Traces | None = None  # what a History remembers
+    lesson: Standing | None = None
+    touch: Touch | None = None  # how the kite met the ground
     help: tuple[str, ...] = ()  # lines over everything; a tab parts a key from what it does
 
 

@@ -8,11 +8,11 @@ from typing import Protocol
 import numpy as np
 import pygame
 from numpy.typing import NDArray
+from pygame import RESIZABLE
 
 from kitemj.cockpit.actions import KEYS, Wishes
 from kitemj.cockpit.film import Film
 from kitemj.cockpit.stick import PersonStick, Stick
-from kitemj.physics.shaping import StickLaw
 
 FRAME_RATE = 30
 Frame = NDArray[np.uint8]
@@ -63,23 +63,29 @@ TURN = 0.005
 
 
 class Window:
-    """A window of its own; `actions.HELP` says its keys. A frame keeps its shape in any window."""
+    """A window of its own; `actions.HELP` says its keys. A frame keeps its shape in any window.
 
-    def __init__(self, width: int, height: int, title: str, stick: PersonStick) -> None:
+    The `person` steers, unless a programmed `stick` does; keys and buttons work either way.
+    """
+
+    def __init__(
+        self, width: int, height: int, title: str, person: PersonStick, stick: Stick | None = None
+    ) -> None:
         self._size = (width, height)
-        pygame.display.set_mode(self._size, pygame.RESIZABLE)
+        pygame.display.set_mode(self._size, RESIZABLE)
         pygame.display.set_caption(title)
-        self.stick, self.wishes = stick, Wishes()
+        self._person, self.stick, self.wishes = person, stick or person, Wishes()
+        self._full = False
 
     @property
     def message(self) -> str:
         """What the person should know of the stick."""
-        return self.stick.message
+        return self._person.message
 
     def poll(self) -> None:
         """Reads all events."""
         for event in pygame.event.get():
-            self._ask(self.stick.handle(event))
+            self._ask(self._person.handle(event))
             if event.type == pygame.QUIT:
                 self._ask(["leave"])
             elif event.type == pygame.KEYDOWN:
@@ -95,11 +101,11 @@ class Window:
         """What is the window's or the stick's is done here."""
         for name in names:
             if name == "full screen":
-                pygame.display.toggle_fullscreen()
-            elif name == "law":
-                self.stick.law = StickLaw((self.stick.law + 1) % len(StickLaw))
-            elif name == "two sticks":
-                self.stick.two_sticks = not self.stick.two_sticks
+                self._full = not self._full
+                size, how = ((0, 0), pygame.FULLSCREEN) if self._full else (self._size, RESIZABLE)
+                pygame.display.set_mode(size, how)
+            elif name in ("law", "two sticks"):
+                self._person.change(name)
             else:
                 self.wishes.ask([name])
 
@@ -116,7 +122,7 @@ class Window:
 
     def close(self) -> None:
         """Closes the window and lets go of the pads; fonts stay, pictures may go on."""
-        self.stick.close()
+        self._person.close()
         pygame.display.quit()
 
 

@@ -1,26 +1,27 @@
-"""What a person holds: a gamepad, else keys, else the mouse; or a programme in their place."""
+"""What steers: a person with a gamepad, the keys or the mouse; or a pilot in their place."""
 
-from bisect import bisect_right
-from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import Protocol
 
 import pygame
-from pygame._sdl2 import controller
 
+from kitemj.cockpit.hands import REST, Hands, command_of
+from kitemj.cockpit.notices import Notices
+from kitemj.cockpit.pads import Pads
+from kitemj.cockpit.programmed import ProgrammedStick
+from kitemj.cockpit.settings import Settings
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.flight.pilots import Pilot
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.shaping import StickLaw
 
-DEAD_ZONE = 0.08
-"""Of full deflection; worn sticks do not come back to zero."""
+__all__ = ["PersonStick", "PilotStick", "ProgrammedStick", "Stick"]
 
-FULL = 32767
-KEYS = {
-    "left": (pygame.K_LEFT, pygame.K_a),
-    "right": (pygame.K_RIGHT, pygame.K_d),
-    "out": (pygame.K_UP, pygame.K_w),
-    "in": (pygame.K_DOWN, pygame.K_s),
-}
+ASKS = ("an angle δ, to which the hands go", "a rate of δ", "an acceleration of δ")
+"""What each law means, in words."""
+
+GENTLE = 0.4
+"""Of the full way: keys held with Shift."""
 
 
 class Stick(Protocol):
@@ -34,28 +35,6 @@ class Stick(Protocol):
         """What is asked for now; `motion` is what the pilot sees."""
 
 
-class ProgrammedStick:
-    """Holds each row of a table until the next: times [s], δ and ℓ in -1..1; then begins anew."""
-
-    name = "programme"
-
-    def __init__(self, rows: Sequence[tuple[float, float, float]], period: float) -> None:
-        self._rows, self._period = list(rows), period
-        self._times = [row[0] for row in rows]
-
-    def command(self, motion: Motion) -> Command:
-        """The row that holds at the motion's time."""
-        row = self._rows[bisect_right(self._times, motion.t % self._period) - 1]
-        return Command(row[1], row[2])
-
-
-SHOW = ProgrammedStick(
-    [(0.0, 0.0, 0.0), (2.0, 1.0, 0.0), (12.0, -1.0, 0.0), (28.0, 0.4, 0.0), (36.0, 0.0, 0.0)],
-    period=40.0,
-)
-"""Right, left, a little right, centre: for a kite that only drifts."""
-
-
 class PilotStick:
     """A pilot in a person's place."""
 
@@ -66,72 +45,82 @@ class PilotStick:
 
 
 class PersonStick:
-    """The newest pad that is plugged in; without one, held keys or the mouse with its button.
+    """Held keys, the mouse with its button held, and the pad that was moved last.
 
-    Needs pygame's display and joystick modules; `handle` is to see every event.
+    Whatever of these is away from its centre steers, in that order. `law` and `two_sticks`
+    may be changed in flight. Keys ask for the full way at once: the limits on how fast and
+    how suddenly lines move make that a ramp, so a short press is a small deflection.
+
+    Needs pygame's display module; `handle` is to see every event.
     """
 
-    def __init__(self) -> None:
-        self._pads: dict[int, Any] = {}
+    def __init__(self, settings: Settings, parameters: Parameters) -> None:
+        self.law, self.two_sticks = settings.law, settings.feel.two_sticks
+        self.notices = Notices()
+        self._parameters = parameters
+        self._pads = Pads(settings, self.notices)
         self._mouse: float | None = None
-        self.message = ""
-        controller.init()
+
+    def close(self) -> None:
+        """Lets go of the pads."""
+        self._pads.close()
 
     @property
     def name(self) -> str:
         """What steers at present."""
-        if self._pads:
-            return "gamepad"
-        return "mouse" if self._mouse is not None else "keys"
+        if any(_held_keys()):
+            return "keys"
+        if self._mouse is not None:
+            return "mouse"
+        return "gamepad" if self._pads.steering else "keys"
 
-    def handle(self, event: pygame.event.Event) -> None:
-        """Pads that come and go; the mouse."""
-        if event.type == pygame.JOYDEVICEADDED:
-            self._add(event.device_index)
-        elif event.type == pygame.JOYDEVICEREMOVED and event.instance_id in self._pads:
-            self._pads.pop(event.instance_id)
-            self.message = "the gamepad is gone: the stick returns to its centre"
-        elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
+    @property
+    def message(self) -> str:
+        """What the person should know of the pads."""
+        return self.notices.newest
+
+    def handle(self, event: pygame.event.Event) -> tuple[str, ...]:
+        """Pads and the mouse; the actions that a button of a pad asks for."""
+        if event.type == pygame.WINDOWFOCUSLOST or (
+            event.type == pygame.MOUSEBUTTONUP and event.button == 1
+        ):
             self._mouse = None
-        elif event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION) and (
-            event.type == pygame.MOUSEBUTTONDOWN or event.buttons[0]
+        elif (event.type == pygame.MOUSEBUTTONDOWN and event.button == 1) or (
+            event.type == pygame.MOUSEMOTION and event.buttons[0]
         ):
             middle = pygame.display.get_window_size()[0] / 2
             self._mouse = max(-1.0, min(1.0, (event.pos[0] - middle) / middle * 2))
+        return self._pads.handle(event)
+
+    def change(self, what: str) -> None:
+        """To the next "law", or to a stick for each line and back ("two sticks")."""
+        if what == "law":
+            self.law = StickLaw((self.law + 1) % len(StickLaw))
+            self.notices.say(f"the stick asks for {ASKS[self.law]}")
+        else:
+            self.two_sticks = not self.two_sticks
+            said = "each stick pulls its own line" if self.two_sticks else "one stick steers"
+            self.notices.say(said)
 
     def command(self, motion: Motion) -> Command:
-        """Where the stick is now."""
-        if self._pads:
-            return self._pad_command(list(self._pads.values())[-1])
-        if self._mouse is not None:
-            return Command(self._mouse, 0.0)
-        held = pygame.key.get_pressed()
-        down = {name: any(held[key] for key in keys) for name, keys in KEYS.items()}
-        return Command(
-            float(down["right"]) - float(down["left"]), float(down["out"]) - float(down["in"])
-        )
-
-    def _add(self, index: int) -> None:
-        if controller.is_controller(index):
-            pad = controller.Controller(index)
-            self._pads[pad.as_joystick().get_instance_id()] = pad
-        else:
-            joystick = pygame.joystick.Joystick(index)
-            self._pads[joystick.get_instance_id()] = joystick
-        self.message = ""
-
-    @staticmethod
-    def _pad_command(pad: Any) -> Command:
-        """Left stick sideways is δ, right stick up and down is ℓ (up pays out)."""
-        if isinstance(pad, controller.Controller):
-            sideways = pad.get_axis(pygame.CONTROLLER_AXIS_LEFTX) / FULL
-            up = -pad.get_axis(pygame.CONTROLLER_AXIS_RIGHTY) / FULL
-        else:
-            sideways, up = pad.get_axis(0), -pad.get_axis(3) if pad.get_numaxes() > 3 else 0.0
-        return Command(_beyond_dead_zone(sideways), _beyond_dead_zone(up))
+        """Where the hands are now."""
+        mouse = REST if self._mouse is None else Hands(self._mouse, 0.0, -self._mouse, self._mouse)
+        ways = zip(_held_keys(), mouse, self._pads.hands(), strict=True)
+        hands = Hands(*(keys or mouse or pad for keys, mouse, pad in ways))
+        return command_of(hands, self._parameters, self.law, self.two_sticks)
 
 
-def _beyond_dead_zone(deflection: float) -> float:
-    """0 within the dead zone, 1 at the end, straight in between."""
-    size = max(0.0, min(1.0, (abs(deflection) - DEAD_ZONE) / (1 - DEAD_ZONE)))
-    return size if deflection > 0 else -size
+def _held_keys() -> Hands:
+    """Arrows or A D W S for one stick; W S for the left line, ↑ ↓ for the right one."""
+    held = pygame.key.get_pressed()
+    full = GENTLE if pygame.key.get_mods() & pygame.KMOD_SHIFT else 1.0
+
+    def between(less: tuple[int, ...], more: tuple[int, ...]) -> float:
+        return full * (any(held[key] for key in more) - any(held[key] for key in less))
+
+    return Hands(
+        steer=between((pygame.K_LEFT, pygame.K_a), (pygame.K_RIGHT, pygame.K_d)),
+        reel=between((pygame.K_DOWN, pygame.K_s), (pygame.K_UP, pygame.K_w)),
+        left=between((pygame.K_w,), (pygame.K_s,)),
+        right=between((pygame.K_UP,), (pygame.K_DOWN,)),
+    )

@@ -15,7 +15,7 @@ from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import DEFAULT_STEP, make_model
 from kitemj.flight.validity import Departure, Ending, departure_at, touches_ground
 from kitemj.physics.shaping import StickLaw, asked, shaped
-from kitemj.physics.steering import Control, Programme, Segment, control, rest_ell
+from kitemj.physics.steering import Control, Segment, control, rest_ell
 
 TICK = 0.01
 """s; a person's hand moves at 5 Hz or less, and an hour of ticks is 360,000 rows."""
@@ -91,10 +91,8 @@ class LiveFlight:
         reach = self.ell_rest + command.ell * limits.ell
         now = control(self.segment, start)
         wish, rate = asked(limits, command.law, command.delta, now, TICK)
-        self.segment = shaped(limits, now, start, TICK, wish, reach, self.ell_rest, rate)
-        self.fly(self.segment)
-        self.moment = self._moment(wish)
-        return self.moment
+        segment = shaped(limits, now, start, TICK, wish, reach, self.ell_rest, rate)
+        return self.fly(segment, wish)
 
     def save(self) -> Saved:
         """The flight as it is now."""
@@ -108,17 +106,20 @@ class LiveFlight:
         self.ghost.restore(ghost)
         return self.moment
 
-    def fly(self, programme: Programme) -> None:
-        """Both models through one tick of `programme`."""
+    def fly(self, segment: Segment, wish: float = 0.0) -> Moment:
+        """Both models through one tick of `segment`; `wish` [rad] is the δ asked for."""
+        self.segment = segment
         self.ticks += 1
-        self.kite.advance(programme, TICK)
+        self.kite.advance(segment, TICK)
         self.kite.t = self.ticks * TICK
         if self._following:
             try:
-                self.ghost.advance(programme, TICK)
+                self.ghost.advance(segment, TICK)
                 self.ghost.t = self.ticks * TICK
             except FlightError:
                 self._following = False
+        self.moment = self._moment(wish)
+        return self.moment
 
     def warm_up(self) -> None:
         """Compiles whatever a flight needs, then starts anew: no first tick may be late."""

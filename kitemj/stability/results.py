@@ -36,7 +36,7 @@ def print_table(table: Table) -> None:
             shown.add_column(name)
         for row in table.rows:
             shown.add_row(*(_text(cell) for cell in row))
-    Console(width=None if Console().is_terminal else 140).print(shown)
+    Console(width=None if Console().is_terminal else 140, markup=False).print(shown)
 
 
 def _text(cell: Cell) -> str:

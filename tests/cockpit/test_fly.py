@@ -7,7 +7,7 @@ import pytest
 from kitemj.cockpit.fly import fly
 from kitemj.cockpit.picture import Picture, Readings
 from kitemj.cockpit.screens import FilmScreen, Window, display_found
-from kitemj.cockpit.stick import SHOW
+from kitemj.cockpit.programmed import show
 from kitemj.dynamics.motion import attachment_E
 from kitemj.flight.live import LiveFlight
 from kitemj.flight.scenario import scenario_of
@@ -105,7 +105,7 @@ def test_interrupt_leaves_a_complete_film(tmp_path, picture):
                 raise KeyboardInterrupt
 
     path = tmp_path / "kite.mp4"
-    summary = fly(LiveFlight(SCENARIO), picture, Impatient(path, *SIZE, SHOW), duration=20.0)
+    summary = fly(LiveFlight(SCENARIO), picture, Impatient(path, *SIZE, show(SCENARIO.parameters)), duration=20.0)
     assert summary.flown > 0
     with av.open(str(path)) as film:
         assert sum(1 for _ in film.decode(video=0)) >= 10

@@ -1,4 +1,4 @@
-"""A gamepad made by SDL itself: pygame sees it as it sees a real one."""
+"""Gamepads made by SDL itself: pygame sees them as it sees real ones."""
 
 import ctypes
 from ctypes import (
@@ -53,6 +53,8 @@ def sdl() -> ctypes.CDLL:
     library.SDL_JoystickOpen.restype = c_void_p
     library.SDL_JoystickSetVirtualAxis.argtypes = [c_void_p, c_int, c_int16]
     library.SDL_JoystickSetVirtualButton.argtypes = [c_void_p, c_int, c_uint8]
+    library.SDL_JoystickSetVirtualHat.argtypes = [c_void_p, c_int, c_uint8]
+    library.SDL_JoystickInstanceID.argtypes = [c_void_p]
     library.SDL_JoystickClose.argtypes = [c_void_p]
     return library
 
@@ -60,29 +62,60 @@ def sdl() -> ctypes.CDLL:
 class VirtualPad:
     """An Xbox-like pad; needs pygame's joystick module to be initialised."""
 
-    def __init__(self) -> None:
+    kind, vendor, product = GAME_CONTROLLER, XBOX_VENDOR, XBOX_PRODUCT
+    axes, buttons, hats = 6, 15, 0
+
+    def __init__(self, name: str = "virtual pad") -> None:
         assert pygame.joystick.get_init()
         self._sdl = sdl()
         description = Description(
             version=1,
-            type=GAME_CONTROLLER,
-            naxes=6,
-            nbuttons=15,
-            vendor_id=XBOX_VENDOR,
-            product_id=XBOX_PRODUCT,
-            button_mask=(1 << 15) - 1,
-            axis_mask=(1 << 6) - 1,
-            name=b"virtual pad",
+            type=self.kind,
+            naxes=self.axes,
+            nbuttons=self.buttons,
+            nhats=self.hats,
+            vendor_id=self.vendor,
+            product_id=self.product,
+            button_mask=(1 << self.buttons) - 1,
+            axis_mask=(1 << self.axes) - 1,
+            name=name.encode(),
         )
-        self._index = self._sdl.SDL_JoystickAttachVirtualEx(ctypes.byref(description))
-        assert self._index >= 0, "SDL could not make a virtual joystick"
-        self._handle = self._sdl.SDL_JoystickOpen(self._index)
+        index = self._sdl.SDL_JoystickAttachVirtualEx(ctypes.byref(description))
+        assert index >= 0, "SDL could not make a virtual joystick"
+        self._handle = self._sdl.SDL_JoystickOpen(index)
+        self._instance = self._sdl.SDL_JoystickInstanceID(self._handle)
+
+    def axis(self, number: int, x: float) -> None:
+        """Moves an axis to `x` in -1..1."""
+        self._sdl.SDL_JoystickSetVirtualAxis(self._handle, number, round(x * 32767))
+
+    def button(self, number: int, down: bool) -> None:
+        """Presses a button or lets it go."""
+        self._sdl.SDL_JoystickSetVirtualButton(self._handle, number, down)
+
+    def hat(self, number: int, x: int, y: int) -> None:
+        """Tilts a hat: `x` to the right, `y` up."""
+        bits = (y > 0) | (x > 0) << 1 | (y < 0) << 2 | (x < 0) << 3
+        self._sdl.SDL_JoystickSetVirtualHat(self._handle, number, bits)
 
     def left_stick(self, x: float) -> None:
         """Moves the left stick sideways: -1 left, 1 right."""
-        self._sdl.SDL_JoystickSetVirtualAxis(self._handle, 0, int(x * 32767))
+        self.axis(0, x)
 
     def unplug(self) -> None:
         """Pulls the cable."""
-        self._sdl.SDL_JoystickDetachVirtual(self._index)
+        indices = range(self._sdl.SDL_NumJoysticks())
+        instances = [self._sdl.SDL_JoystickGetDeviceInstanceID(i) for i in indices]
+        self._sdl.SDL_JoystickDetachVirtual(instances.index(self._instance))
         self._sdl.SDL_JoystickClose(self._handle)
+
+
+class OddPad(VirtualPad):
+    """A pad that SDL knows nothing of, with a hat; axis 2 is a trigger."""
+
+    kind, vendor, product = 0, 0x1234, 0x4321
+    axes, buttons, hats = 5, 8, 1
+
+    def __init__(self, name: str = "odd pad") -> None:
+        super().__init__(name)
+        self.axis(2, -1.0)

@@ -6,8 +6,10 @@ import pytest
 from kitemj.cockpit.history import History
 from kitemj.cockpit.kept_states import BACK, EVERY
 from kitemj.cockpit.pacing import Pacer
+from kitemj.errors import InputError
 from kitemj.flight.live import TICK
 from kitemj.recording.file import read_recording
+from kitemj.recording.going_on import past_of
 from kitemj.recording.replay import flown_again
 from tests.recording.flights import live_flight, recorder_of, restless
 
@@ -98,3 +100,27 @@ def test_trail_ends_where_the_flight_went_back_to(tmp_path):
     short = pacer.history.traces(0.0).trail
     assert len(short) == pytest.approx(len(long) * 200 / 730, abs=2)
     assert np.array_equal(short[:60], long[:60])
+
+
+@pytest.mark.parametrize("at", [3.2, None])
+def test_a_recording_is_flown_on_from_its_last_flight(tmp_path, at):
+    doings = [430, "restart", 420, "save", 50, "load", 200]
+    recording, _ = flown(tmp_path / "x.arrows", doings)
+    flight, ticks = past_of(recording, at)
+    recorder = recorder_of(flight, tmp_path / "y.arrows")
+    pacer = Pacer(flight, History(flight.parameters), recorder, ticks)
+    assert flight.ticks == (320 if at else 620)
+    pacer._tick(0.0)
+    recorder.close("done")
+    longer = read_recording(tmp_path / "y.arrows")
+    assert legs_of(longer) == [(0, 0, 0, flight.ticks)]
+    way = recording.way_to(recording.legs[-1])[: flight.ticks]
+    for name in ("x_E_m", "theta_rad", "delta_rad", "tension_plus_N", "stick_delta"):
+        assert np.array_equal(longer.columns[name][: flight.ticks], recording.columns[name][way])
+    assert flown_again(longer, "mujoco").identical
+
+
+def test_a_moment_that_was_not_flown_is_a_sentence(tmp_path):
+    recording, _ = flown(tmp_path / "x.arrows", [100])
+    with pytest.raises(InputError, match=r"--at must be in 0 to 1 s.*got 2 s"):
+        past_of(recording, 2.0)

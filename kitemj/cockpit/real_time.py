@@ -1,0 +1,198 @@
+"""How well this machine flies in real time: ticks, frames, memory, and the way of the stick.
+
+The loop that is measured is `fly`'s own. The way of the stick is measured at both its ends:
+the tick that first flies a new command, and the first frame in which the knob's pointer is
+seen, by its pixels, on the other side.
+"""
+
+import random
+import statistics
+import sys
+import time
+from dataclasses import dataclass
+
+import numpy as np
+
+from kitemj.cockpit.actions import Wishes
+from kitemj.cockpit.fly import Summary, fly
+from kitemj.cockpit.instruments import Instruments
+from kitemj.cockpit.knob import HUB, OUTER
+from kitemj.cockpit.panel import CALL
+from kitemj.cockpit.picture import Picture
+from kitemj.cockpit.screens import Frame, Screen
+from kitemj.cockpit.stick import PilotStick, Stick
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.live import Command, LiveFlight, Moment
+from kitemj.flight.pilots import Hold
+
+SETTLED = 10.0
+"""s; what memory grows by in this time is the program's own beginning."""
+
+DEFLECTION = 0.2
+"""Of the stick to each side: enough to see the pointer move, too little to fly away."""
+
+
+class NoScreen:
+    """Frames are painted and looked at by nobody; nobody steers."""
+
+    message = ""
+
+    def __init__(self) -> None:
+        self.stick: Stick = PilotStick(Hold())
+        self.wishes = Wishes()
+
+    def poll(self) -> None:
+        """Nobody is there."""
+
+    def show(self, frame: Frame, wall: float) -> None:
+        """Forgets the frame."""
+
+    def close(self) -> None:
+        """Nothing was opened."""
+
+
+class Watched:
+    """A screen whose frames are timed; `times` [s], and peak `memory` [MB] at some of them."""
+
+    def __init__(self, screen: Screen, stick: Stick) -> None:
+        self._screen, self.stick, self.wishes = screen, stick, screen.wishes
+        self.times: list[float] = []
+        self.memory: list[tuple[float, float]] = []
+
+    @property
+    def message(self) -> str:
+        """What the person should know."""
+        return self._screen.message
+
+    def poll(self) -> None:
+        """Looks at what the person did since."""
+        self._screen.poll()
+
+    def show(self, frame: Frame, wall: float) -> None:
+        """Shows the frame."""
+        self._screen.show(frame, wall)
+        self.times.append(time.perf_counter())
+        if not self.memory or wall > self.memory[-1][0] + 1.0:
+            self.memory.append((wall, peak_memory()))
+
+    def close(self) -> None:
+        """Closes the screen."""
+        self._screen.close()
+
+    @property
+    def median_rate(self) -> float:
+        """Frames a second, by the median time between two."""
+        return 1.0 / statistics.median(np.diff(self.times).tolist() or [float("nan")])
+
+    @property
+    def growth(self) -> float:
+        """MB of memory gained since `SETTLED`; not a number in a shorter flight."""
+        settled = [memory for wall, memory in self.memory if wall >= SETTLED]
+        return settled[-1] - settled[0] if settled else float("nan")
+
+
+def peak_memory() -> float:
+    """The largest memory [MB] that this process has had so far; not a number on Windows."""
+    if sys.platform == "win32":
+        return float("nan")
+    import resource
+
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return peak / (1e6 if sys.platform == "darwin" else 1e3)
+
+
+def endured(
+    flight: LiveFlight,
+    picture: Picture,
+    screen: Screen,
+    stick: Stick,
+    duration: float,
+    called: float | None = None,
+) -> tuple[Summary, Watched]:
+    """A flight of `duration` [s] with `stick` at `screen`; `called` as for `fly`."""
+    watched = Watched(screen, stick)
+    return fly(flight, picture, watched, duration, called), watched
+
+
+@dataclass
+class Step:
+    """A move of the stick: `polled` when [s], how many ticks and frames until it was there.
+
+    1 is the first tick that began, the first frame that was shown after it was polled.
+    """
+
+    polled: float
+    side: float
+    ticks: int = 0
+    frames: int = 0
+    flown: bool = False
+    seen: bool = False
+    seen_after: float = float("nan")
+
+
+class SteppingStick:
+    """Jumps from side to side at random moments, 0.3 to 0.8 s apart."""
+
+    name = "measuring"
+
+    def __init__(self, seed: int = 1) -> None:
+        self._random, self._next, self._side = random.Random(seed), 0.0, 1.0
+        self.steps: list[Step] = []
+
+    def command(self, motion: Motion) -> Command:
+        """Where the stick is now."""
+        now = time.perf_counter()
+        if now >= self._next:
+            self._next = now + self._random.uniform(0.3, 0.8)
+            self._side = -self._side
+            self.steps.append(Step(now, self._side))
+        return Command(self._side * DEFLECTION)
+
+
+class WatchedFlight(LiveFlight):
+    """A live flight that tells `stick` which of its moves each tick flies."""
+
+    stick: SteppingStick | None = None
+
+    def tick(self, command: Command) -> Moment:
+        """Flies one tick."""
+        begun = time.perf_counter()
+        for step in self.stick.steps[-1:] if self.stick else ():
+            if not step.flown and step.polled <= begun:
+                step.ticks += 1
+                step.flown = command.delta * step.side > 0
+        return super().tick(command)
+
+
+class PointerScreen(Watched):
+    """Looks at the knob in each frame."""
+
+    def __init__(self, screen: Screen, stick: SteppingStick, instruments: Instruments) -> None:
+        super().__init__(screen, stick)
+        self._steps, self._box, self._u = stick.steps, instruments.box("knob"), instruments.u
+
+    def show(self, frame: Frame, wall: float) -> None:
+        """Shows the frame, then looks at it."""
+        super().show(frame, wall)
+        for step in self._steps[-1:]:
+            if not step.seen:
+                step.frames += 1
+                step.seen = self._pointer(frame) * step.side > 0
+                step.seen_after = self.times[-1] - step.polled
+
+    def _pointer(self, frame: Frame) -> float:
+        """By how many pixels the knob's pointer is right of its hub; 0 where none is seen."""
+        wide = round((HUB[0] + OUTER + 12) * self._u)
+        dial = frame[self._box.top : self._box.bottom, self._box.left : self._box.left + wide]
+        columns = np.nonzero((dial == CALL).all(axis=2))[1]
+        return float(columns.mean()) - HUB[0] * self._u if len(columns) else 0.0
+
+
+def steps_of_the_stick(
+    flight: WatchedFlight, picture: Picture, screen: Screen, duration: float
+) -> list[Step]:
+    """All moves of the stick in a flight of `duration` [s] but the last, which may be cut."""
+    stick = flight.stick = SteppingStick()
+    instruments = Instruments(flight.parameters, picture.width, picture.height)
+    fly(flight, picture, PointerScreen(screen, stick, instruments), duration)
+    return stick.steps[:-1]

@@ -1,0 +1,51 @@
+"""`kitemj reach`: what arms can do to two lines."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kitemj.commands.words import Parser, command
+from kitemj.errors import InputError
+
+if TYPE_CHECKING:
+    from kitemj.physics.parameters import Parameters
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "reach",
+        "print the largest δ of someone whose arms move each line so far, and as a set has it",
+        "kitemj reach thesis --arm 0.25 --length 200",
+    )
+    parser.add_argument(
+        "kite", nargs="?", default="sport", metavar="SET|FILE", help="a set, or a scenario file"
+    )
+    parser.add_argument("--arm", type=float, metavar="M", help="to each side, default: the set's")
+    parser.add_argument("--length", type=float, metavar="M", help="of each line, L₀")
+    parser.add_argument("--attachments", type=float, metavar="M", help="between them, 2 Y_A")
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.flight.reach import reach_of, told
+
+    parameters = _parameters(words.kite)
+    own = (parameters.stick.arm, parameters.lines.length, 2 * parameters.kite.y_A)
+    given = (words.arm, words.length, words.attachments)
+    print(told(reach_of(*(a if b is None else b for a, b in zip(own, given, strict=True)))))
+    return 0
+
+
+def _parameters(name: str) -> "Parameters":
+    """Those of the named set, or of the scenario in a file."""
+    from kitemj.flight.scenario import read_scenario
+    from kitemj.physics.parameter_files import parameter_set, set_names
+
+    if name in set_names():
+        return parameter_set(name)
+    if not Path(name).exists():
+        raise InputError(f"there is no set or file {name!r}; sets: {', '.join(set_names())}")
+    return read_scenario(Path(name)).parameters

@@ -1,0 +1,108 @@
+"""`kitemj realtime`: how well this machine flies in real time."""
+
+import argparse
+from typing import TYPE_CHECKING
+
+from kitemj.commands.words import Parser, add_picture, add_step, command, size
+from kitemj.errors import InputError
+
+if TYPE_CHECKING:
+    from kitemj.cockpit.fly import Summary
+    from kitemj.cockpit.real_time import Step, Watched, WatchedFlight
+    from kitemj.cockpit.screens import Screen
+    from kitemj.stability.tables import Cell, Table
+
+STICK_DURATION = 20.0
+"""s; some 35 moves of the stick."""
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "realtime",
+        "measure missed ticks, frames, memory, and how soon a move of the stick is flown and seen",
+        "kitemj realtime --duration 600",
+    )
+    parser.add_argument("--kite", default="sport", metavar="SET", help="sport, thesis or laksa")
+    parser.add_argument("--duration", type=float, default=60.0, metavar="S", help="of the flight")
+    parser.add_argument("--headless", action="store_true", help="paint, but open no window")
+    add_picture(parser)
+    add_step(parser)
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.cockpit.picture import Picture
+    from kitemj.cockpit.real_time import WatchedFlight, endured, steps_of_the_stick
+    from kitemj.cockpit.screens import display_found
+    from kitemj.cockpit.shows import show_of
+    from kitemj.flight.scenario import scenario_of
+    from kitemj.stability.results import print_table
+
+    if not words.duration > 0:
+        raise InputError(f"--duration must be > 0 s, got {words.duration} s")
+    pixels = size(words.size)
+    scenario = scenario_of({"set": words.kite, "duration": 60.0}, f"the kite {words.kite}")
+    window = not words.headless and display_found()
+    with Picture(scenario.parameters, *pixels) as picture:
+        flight, stick = WatchedFlight(scenario, step=words.step), show_of(scenario.parameters)
+        screen = _screen(words, flight, window)
+        flown, watched = endured(flight, picture, screen, stick, words.duration, words.called)
+        window = window and display_found()
+        screen = _screen(words, flight, window)
+        steps = steps_of_the_stick(flight, picture, screen, STICK_DURATION)
+    where = "in a window" if window else "painted, and shown to nobody"
+    print_table(_flight_table(flown, watched, f"{words.size}, {where}, everything shown"))
+    print_table(_stick_table(steps))
+    return 0
+
+
+def _screen(words: argparse.Namespace, flight: "WatchedFlight", window: bool) -> "Screen":
+    from kitemj.cockpit.real_time import NoScreen
+    from kitemj.cockpit.screens import Screen, Window
+    from kitemj.cockpit.settings import Settings
+    from kitemj.cockpit.stick import PersonStick
+
+    screen: Screen = NoScreen()
+    if window:
+        person = PersonStick(Settings(), flight.parameters)
+        screen = Window(*size(words.size), "kitemj realtime", person)
+    screen.wishes.view = words.view
+    return screen
+
+
+def _flight_table(flown: "Summary", watched: "Watched", how: str) -> "Table":
+    from kitemj.stability.tables import Cell, Table
+
+    times = flown.times
+    rows: list[tuple[Cell, ...]] = [
+        ("ticks of 10 ms", times.ticks),
+        ("missed: done after the next was due", times.missed),
+        ("within a frame of 1/30 s [%]", 100.0 * (1 - times.late / max(times.ticks, 1))),
+        ("worst lateness [ms]", 1e3 * times.worst),
+        ("wall time not flown [s]", times.lost),
+        ("frames a second, median", watched.median_rate),
+        ("first frame [s]", flown.first_frame),
+        ("memory gained after 10 s [MB]", watched.growth),
+        ("largest gap to the reference [µm]", 1e6 * times.largest_gap),
+    ]
+    return Table(f"{flown.flown:.0f} s of flight at {how}", ("what", "measured"), rows)
+
+
+def _stick_table(steps: "list[Step]") -> "Table":
+    from kitemj.stability.tables import Table
+
+    def at_most(counts: list[int], most: int) -> str:
+        return f"{sum(count <= most for count in counts)} of {len(counts)}"
+
+    ticks, frames = [step.ticks for step in steps], [step.frames for step in steps]
+    seen = sorted(1e3 * step.seen_after for step in steps)
+    rows: list[tuple[Cell, ...]] = [
+        ("flown by the first tick after it was polled", at_most(ticks, 1)),
+        ("seen in the first frame after it was polled", at_most(frames, 1)),
+        ("polled to seen, median [ms]", seen[len(seen) // 2] if seen else float("nan")),
+        ("polled to seen, longest [ms]", seen[-1] if seen else float("nan")),
+    ]
+    return Table(f"{len(steps)} moves of the stick", ("what", "measured"), rows)

@@ -1,0 +1,52 @@
+"""`kitemj thesis`: what the source thesis measured and drew, made again."""
+
+import argparse
+from pathlib import Path
+
+from kitemj.commands.words import Parser, command
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "thesis",
+        "compute and draw again what the source thesis did, and write a report beside it",
+        "kitemj thesis --output report",
+    )
+    parser.add_argument(
+        "--output", type=Path, required=True, metavar="DIR", help="a new folder; see its index.html"
+    )
+    parser.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace the report's files in a folder that exists; others are kept",
+    )
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.thesis.folder import check_folder
+
+    check_folder(words.output, words.overwrite)
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    from kitemj.thesis.report import WRITERS, write_report
+
+    columns = (
+        MofNCompleteColumn(),
+        BarColumn(),
+        TimeElapsedColumn(),
+        TextColumn("{task.description}"),
+    )
+    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
+        task = progress.add_task("", total=len(WRITERS))
+
+        def tell(name: str, done: int) -> None:
+            progress.update(task, description=name, completed=done)
+
+        sections = write_report(words.output, words.overwrite, tell=tell)
+    print(f"{words.output / 'index.html'}: {len(sections)} sections")
+    return 0

@@ -1,0 +1,57 @@
+"""A recorded flight flown again up to a moment, to be flown on from there by somebody."""
+
+from typing import NamedTuple
+
+from kitemj.errors import InputError
+from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.scenario import Scenario, Times
+from kitemj.physics.shaping import StickLaw
+from kitemj.physics.steering import Control, Segment, Sines
+from kitemj.recording.file import Recording
+from kitemj.recording.table import STEERING, STICK
+
+
+class Flown(NamedTuple):
+    """A tick of the past: what the stick asked for, how the lines moved."""
+
+    command: Command
+    segment: Segment
+
+
+class Past(NamedTuple):
+    """A live flight at its start, and the ticks that lead to the moment."""
+
+    flight: LiveFlight
+    ticks: list[Flown]
+
+
+def past_of(recording: Recording, at: float | None = None) -> Past:
+    """The last flight of a recording, up to `at` [s] of its time, or to its end.
+
+    Raises InputError where it was not flying then.
+    """
+    way, tick = recording.way_to(recording.legs[-1]), recording.header.tick
+    end = (len(way) - 1) * tick
+    if at is not None and not 0.0 <= at <= end:
+        raise InputError(
+            f"--at must be in 0 to {end:g} s, the last flight of {recording.path}, got {at:g} s"
+        )
+    rows = way[: len(way) if at is None else round(at / tick) + 1]
+    sticks = [recording.columns[name][rows].tolist() for name in STICK]
+    controls = [recording.columns[name][rows].tolist() for name in STEERING]
+    commands = [Command(d, l, StickLaw(int(law))) for d, l, law in zip(*sticks, strict=True)]
+    segments = [
+        Segment(max(k - 1, 0) * tick, Control(*control))
+        for k, control in enumerate(zip(*controls, strict=True))
+    ]
+    flown = [Flown(*both) for both in zip(commands, segments, strict=True)]
+    return Past(_flight(recording, segments[0].control), flown[1:])
+
+
+def _flight(recording: Recording, first: Control) -> LiveFlight:
+    header = recording.header
+    held = Sines(ell=first.ell, delta=first.delta)
+    scenario = Scenario(
+        header.scenario, recording.parameters, held, header.state, Times(duration=60.0)
+    )
+    return LiveFlight(scenario, header.model, header.reference, header.step)
