@@ -1,21 +1,21 @@
 """`kitemj fly`: a stick, a real-time flight, a picture of it."""
 
 import time
-from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Protocol
 
 import pygame
 
 from kitemj.cockpit.actions import FLIGHT_DEEDS, HELP, Wishes
 from kitemj.cockpit.history import History
-from kitemj.cockpit.pacing import Pacer, Timekeeping
+from kitemj.cockpit.pacing import Timekeeping
 from kitemj.cockpit.picture import Picture, Readings
 from kitemj.cockpit.programmed import ProgrammedStick
 from kitemj.cockpit.screens import FRAME_RATE, Frame, Screen
 from kitemj.flight.course import Course
-from kitemj.flight.live import TICK, Command, LiveFlight
-from kitemj.recording.going_on import Flown
-from kitemj.recording.recorder import Recorder
+from kitemj.flight.crash import Touch
+from kitemj.flight.live import TICK, Command, Moment
+from kitemj.physics.parameters import Parameters
 
 
 @dataclass(frozen=True)
@@ -47,76 +47,99 @@ class Summary:
         return text
 
 
+class Physics(Protocol):
+    """Whatever flies in real time: a `Pacer` in this process, or a process of its own."""
+
+    model: str
+    parameters: Parameters
+    history: History
+    moment: Moment
+    times: Timekeeping
+    rate: float
+    command: Command
+
+    @property
+    def touch(self) -> Touch | None:
+        """How the kite met the ground, where it waits now."""
+
+    @property
+    def problem(self) -> str:
+        """What the person should know of the disk."""
+
+    def start(self) -> None:
+        """Time begins."""
+
+    def update(self) -> object:
+        """Takes in what was flown since; raises what ended the flight."""
+
+    def ask(self, deed: str) -> None:
+        """As `Pacer.ask`."""
+
+    def stop(self, ending: str) -> str:
+        """Ends the flight; what became of the recording."""
+
+
 def fly(
-    flight: LiveFlight,
+    physics: Physics,
     picture: Picture,
     screen: Screen,
     duration: float | None = None,
     called: float | None = None,
-    recorder: Recorder | None = None,
-    past: Iterable[Flown] = (),
     course: Course | None = None,
 ) -> Summary:
     """Flies until the screen is left, Ctrl-C, or `duration` [s] of wall time have passed.
 
     `called` [s, perf_counter]: since when the first frame is waited for; now, if left out.
-    `recorder` takes every tick, and is closed at the end. `past` is flown before anything is
-    shown. `course`: the lessons; it watches what is painted.
-    Raises what ended the physics thread, if anything did, once the screen is closed.
+    `course`: the lessons; it watches what is painted.
+    Raises what ended the flight, if anything did, once the screen is closed.
     """
     called = called or time.perf_counter()
-    flight.warm_up()
-    history = History(flight.parameters)
-    pacer = Pacer(flight, history, recorder, past)
     ending, recording = "left by the pilot", "none"
     frames, first, clock = 0, 0.0, pygame.time.Clock()
-    picture.paint(pacer.moment.motion, None, Readings(), screen.wishes.view)
-    pacer.start()
+    picture.paint(physics.moment.motion, None, Readings(), screen.wishes.view)
+    physics.start()
     begun = time.perf_counter()
     try:
-        while pacer.is_alive() and not screen.wishes.leaving:
+        while not screen.wishes.leaving:
             painting = time.perf_counter()
             if duration is not None and painting - begun >= duration:
                 ending = "as long as was asked"
                 break
             screen.poll()
+            physics.update()
             if isinstance(screen.stick, ProgrammedStick):
                 screen.wishes.ask(screen.stick.actions(painting - begun))
-            command = pacer.command = screen.stick.command(pacer.moment.motion)
-            _grant(screen.wishes, pacer, picture, course)
+            physics.command = screen.stick.command(physics.moment.motion)
+            _grant(screen.wishes, physics, picture, course)
             if course:
-                course.watch(pacer.moment.motion)
-            frame = _painted(pacer, picture, screen, command, course)
-            screen.show(frame, painting - begun)
+                course.watch(physics.moment.motion)
+            screen.show(_painted(physics, picture, screen, course), painting - begun)
             frames += 1
-            history.add_frame(painting, time.perf_counter() - painting)
+            physics.history.add_frame(painting, time.perf_counter() - painting)
             first = first or time.perf_counter() - called
             clock.tick(FRAME_RATE)
     except KeyboardInterrupt:
         pass  # leaving in a hurry is leaving: the film and the summary are complete
     finally:
-        pacer.stop()
-        if recorder:
-            recording = recorder.close(str(pacer.error or ending))
+        recording = physics.stop(ending)
         screen.close()
-    if pacer.error:
-        raise pacer.error
     wall = time.perf_counter() - begun
-    return Summary(pacer.times.ticks * TICK, pacer.times, frames, wall, first, recording)
+    times = physics.times
+    return Summary(times.ticks * TICK, times, frames, wall, first, recording)
 
 
-def _grant(wishes: Wishes, pacer: Pacer, picture: Picture, course: Course | None) -> None:
+def _grant(wishes: Wishes, physics: Physics, picture: Picture, course: Course | None) -> None:
     """What the person wants of time, picture and lessons."""
     deeds, turn, zoom = wishes.taken()
-    pacer.rate = wishes.rate
+    physics.rate = wishes.rate
     for deed in deeds:
         if deed in FLIGHT_DEEDS:
-            pacer.ask(deed)
+            physics.ask(deed)
         elif course and deed == "next lesson":
             course.skip()
         elif course and deed == "begin lesson":
             course.begin_again()
-            pacer.ask("restart")
+            physics.ask("restart")
     if turn != (0.0, 0.0):
         picture.orbit(*turn)
     if zoom != 1.0:
@@ -124,25 +147,22 @@ def _grant(wishes: Wishes, pacer: Pacer, picture: Picture, course: Course | None
     picture.shown = wishes.shown
 
 
-def _painted(
-    pacer: Pacer, picture: Picture, screen: Screen, command: Command, course: Course | None
-) -> Frame:
+def _painted(physics: Physics, picture: Picture, screen: Screen, course: Course | None) -> Frame:
     """The frame of the present moment; the pointer of the knob is where the stick is now."""
-    moment, times, wishes = pacer.moment, pacer.times, screen.wishes
-    disk = pacer.recorder.problem if pacer.recorder else ""
+    moment, times, wishes = physics.moment, physics.times, screen.wishes
     readings = Readings(
-        model=pacer.flight.kite.name,
+        model=physics.model,
         gap=moment.gap,
-        delta_command=command.delta * pacer.flight.parameters.stick.delta,
-        law=command.law,
+        delta_command=physics.command.delta * physics.parameters.stick.delta,
+        law=physics.command.law,
         missed_ticks=times.missed,
         lateness=times.lateness,
         stick=screen.stick.name,
         speed=wishes.rate,
-        message=screen.message or disk,
-        traces=pacer.history.traces(time.perf_counter()),
+        message=screen.message or physics.problem,
+        traces=physics.history.traces(time.perf_counter()),
         help=HELP if wishes.help else (),
         lesson=course.standing if course else None,
-        touch=pacer.touch,
+        touch=physics.touch,
     )
     return picture.paint(moment.motion, moment.reference, readings, wishes.view)

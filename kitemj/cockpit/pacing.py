@@ -9,9 +9,10 @@ from collections import deque
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
+from typing import Protocol
 
-from kitemj.cockpit.history import History
 from kitemj.cockpit.kept_states import Kept, KeptStates
+from kitemj.dynamics.motion import Motion
 from kitemj.flight.crash import FirstTouch, Touch
 from kitemj.flight.live import TICK, Command, LiveFlight, Moment
 from kitemj.recording.going_on import Flown
@@ -53,6 +54,13 @@ class Timekeeping:
         self.largest_gap = max(self.largest_gap, gap)
 
 
+class Listener(Protocol):
+    """What is told of every tick; a `History`, mostly."""
+
+    def add(self, now: float, motion: Motion, lateness: float | None = None) -> None:
+        """A tick that was done at `now` [s] of the clock."""
+
+
 class Pacer(threading.Thread):
     """Flies ticks as they come due; `command` is written to it, `moment` read from it.
 
@@ -65,13 +73,14 @@ class Pacer(threading.Thread):
     def __init__(
         self,
         flight: LiveFlight,
-        history: History,
+        history: Listener,
         recorder: Recorder | None = None,
         past: Iterable[Flown] = (),
     ) -> None:
         """`past`: ticks that are flown at once, before the first that is paced."""
         super().__init__(name="physics", daemon=True)
         self.flight, self.history, self.recorder = flight, history, recorder
+        self.model, self.parameters = flight.kite.name, flight.parameters
         self.command, self.rate = Command(), 1.0
         self.times = Timekeeping()
         self.error: Exception | None = None
@@ -86,7 +95,7 @@ class Pacer(threading.Thread):
 
     def run(self) -> None:
         """Ticks until `stop`; the interpreter hands over at once when a tick is due."""
-        _go_first()
+        go_first()
         sys.setswitchinterval(TICK / 20)
         gc.disable()  # a search for cycles holds the interpreter for 50 ms; there are hardly any
         try:
@@ -100,6 +109,11 @@ class Pacer(threading.Thread):
             self.error = error
 
     @property
+    def problem(self) -> str:
+        """What the person should know of the disk."""
+        return self.recorder.problem if self.recorder else ""
+
+    @property
     def touch(self) -> Touch | None:
         """How the kite met the ground, where it waits now."""
         return self._ground.touch
@@ -108,11 +122,17 @@ class Pacer(threading.Thread):
         """ "restart", "step" (while paused), "rewind", "save" or "load", before the next tick."""
         self._deeds.append(deed)
 
-    def stop(self) -> None:
-        """Ends the flight after the tick that is under way."""
+    def update(self) -> None:
+        """Its attributes are always those of now; raises what ended the flight."""
+        if self.error:
+            raise self.error
+
+    def stop(self, ending: str = "") -> str:
+        """Ends the flight after the tick that is under way; what became of the recording."""
         self._stopping.set()
         self.join()
         gc.enable()
+        return self.recorder.close(str(self.error or ending)) if self.recorder else "none"
 
     def _flying(self, rate: float) -> bool:
         return self.rate == rate > 0 and not self.touch and not self._stopping.is_set()
@@ -124,6 +144,8 @@ class Pacer(threading.Thread):
             due = origin + k * TICK / rate
             self._wait(due)
             self._obey()
+            if not self._flying(rate):
+                break
             lateness = self._tick(due)
             self.times.note(lateness, TICK / rate, self.moment.gap or 0.0)
             k += 1
@@ -186,7 +208,7 @@ class Pacer(threading.Thread):
             time.sleep(left)
 
 
-def _go_first() -> None:
+def go_first() -> None:
     """Asks the system to run this thread as soon as it wakes; not every user may ask.
 
     Without it a picture that is painted on all cores makes a tick in a thousand late.

@@ -4,7 +4,6 @@ A pad is read through its layout in the settings, else through SDL's own where S
 a pad that neither knows does not steer: its axis 0 may be anything.
 """
 
-from collections.abc import Iterator
 from typing import Any, Protocol
 
 import pygame
@@ -33,6 +32,8 @@ STANDARD = {
 }
 """Actions of the buttons where SDL knows the pad."""
 
+PLUGGED = (pygame.JOYDEVICEADDED, pygame.JOYDEVICEREMOVED)
+
 TOUCHED = 0.1
 """Of full deflection, at least: no dead zone at all would let a worn stick claim the kite."""
 
@@ -40,19 +41,18 @@ HELPLESS = ": run kitemj pad; keys and mouse fly"
 CENTRED = "the stick returns to its centre; keys and mouse fly"
 
 
-def events() -> Iterator[pygame.event.Event]:
-    """What happened since, as pygame.event.get, but for what that loses.
+def events() -> list[pygame.event.Event]:
+    """All that happened since, pads that came and went first.
 
-    pygame 2.6 fails over a pad that came and went between two looks, and drops all the rest.
+    As pygame.event.get, which in pygame 2.6 fails, and drops everything, over a pad that came
+    and went between two looks.
     """
-    while True:
-        try:
-            event = pygame.event.poll()
-        except SystemError:
-            continue
-        if event.type == pygame.NOEVENT:
-            return
-        yield event
+    told: list[pygame.event.Event] = []
+    try:
+        told += pygame.event.get(PLUGGED)
+    except SystemError:
+        told.append(pygame.event.Event(pygame.JOYDEVICEADDED))  # so that pads are looked for
+    return told + pygame.event.get(pump=False)
 
 
 class Pad(Protocol):
@@ -157,10 +157,8 @@ class Pads:
 
     def handle(self, event: pygame.event.Event) -> tuple[str, ...]:
         """The actions that the event asks for."""
-        if event.type == pygame.JOYDEVICEADDED:
+        if event.type in PLUGGED:
             self._look_around()
-        elif event.type == pygame.JOYDEVICEREMOVED:
-            self._remove(event.instance_id)
         elif (pad := self._pads.get(getattr(event, "instance_id", -1))) is not None:
             actions = pad.actions(event)
             if self._touched(pad) or actions or event.type == pygame.JOYBUTTONDOWN:
@@ -184,11 +182,14 @@ class Pads:
             self._say(f"the pad {pad.name} steers")
 
     def _look_around(self) -> None:
-        """Takes in what is new; the event's own number may be out of date by now."""
-        for index in range(pygame.joystick.get_count()):
-            joystick = pygame.joystick.Joystick(index)
-            if joystick.get_instance_id() not in self._known:
-                self._known.add(joystick.get_instance_id())
+        """Which pads are there now: the event's own number may be another's by then."""
+        joysticks = [pygame.joystick.Joystick(i) for i in range(pygame.joystick.get_count())]
+        there = [joystick.get_instance_id() for joystick in joysticks]
+        for gone in self._known.difference(there):
+            self._remove(gone)
+        for index, joystick in enumerate(joysticks):
+            if there[index] not in self._known:
+                self._known.add(there[index])
                 self._add(index, joystick)
 
     def _add(self, index: int, joystick: Any) -> None:

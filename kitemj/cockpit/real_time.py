@@ -14,7 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from kitemj.cockpit.actions import Wishes
-from kitemj.cockpit.fly import Summary, fly
+from kitemj.cockpit.flight_process import FlightProcess, News, Setup
+from kitemj.cockpit.fly import Physics, Summary, fly
 from kitemj.cockpit.instruments import Instruments
 from kitemj.cockpit.knob import HUB, OUTER
 from kitemj.cockpit.panel import CALL
@@ -22,7 +23,7 @@ from kitemj.cockpit.picture import Picture
 from kitemj.cockpit.screens import Frame, Screen
 from kitemj.cockpit.stick import PilotStick, Stick
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.live import Command, LiveFlight, Moment
+from kitemj.flight.live import Command
 from kitemj.flight.pilots import Hold
 
 SETTLED = 10.0
@@ -102,7 +103,7 @@ def peak_memory() -> float:
 
 
 def endured(
-    flight: LiveFlight,
+    physics: Physics,
     picture: Picture,
     screen: Screen,
     stick: Stick,
@@ -111,7 +112,7 @@ def endured(
 ) -> tuple[Summary, Watched]:
     """A flight of `duration` [s] with `stick` at `screen`; `called` as for `fly`."""
     watched = Watched(screen, stick)
-    return fly(flight, picture, watched, duration, called), watched
+    return fly(physics, picture, watched, duration, called), watched
 
 
 @dataclass
@@ -149,19 +150,22 @@ class SteppingStick:
         return Command(self._side * DEFLECTION)
 
 
-class WatchedFlight(LiveFlight):
-    """A live flight that tells `stick` which of its moves each tick flies."""
+class WatchedProcess(FlightProcess):
+    """A flight that tells `stick` which of its moves each tick flew."""
 
-    stick: SteppingStick | None = None
+    def __init__(self, setup: Setup, stick: SteppingStick) -> None:
+        super().__init__(setup)
+        self._stick = stick
 
-    def tick(self, command: Command) -> Moment:
-        """Flies one tick."""
-        begun = time.perf_counter()
-        for step in self.stick.steps[-1:] if self.stick else ():
-            if not step.flown and step.polled <= begun:
-                step.ticks += 1
-                step.flown = command.delta * step.side > 0
-        return super().tick(command)
+    def update(self) -> list[News]:
+        """Looks through what was flown."""
+        heard = super().update()
+        for step in self._stick.steps[-1:]:
+            for news in heard:
+                if not step.flown and news.begun >= step.polled:
+                    step.ticks += 1
+                    step.flown = news.command.delta * step.side > 0
+        return heard
 
 
 class PointerScreen(Watched):
@@ -189,10 +193,12 @@ class PointerScreen(Watched):
 
 
 def steps_of_the_stick(
-    flight: WatchedFlight, picture: Picture, screen: Screen, duration: float
+    setup: Setup, picture: Picture, screen: Screen, duration: float
 ) -> list[Step]:
     """All moves of the stick in a flight of `duration` [s] but the last, which may be cut."""
-    stick = flight.stick = SteppingStick()
-    instruments = Instruments(flight.parameters, picture.width, picture.height)
-    fly(flight, picture, PointerScreen(screen, stick, instruments), duration)
+    stick = SteppingStick()
+    physics = WatchedProcess(setup, stick)
+    physics.wait()
+    instruments = Instruments(physics.parameters, picture.width, picture.height)
+    fly(physics, picture, PointerScreen(screen, stick, instruments), duration)
     return stick.steps[:-1]

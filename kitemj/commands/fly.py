@@ -10,12 +10,12 @@ from kitemj.commands.words import MODELS, Parser, add_picture, add_step, command
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
+    from kitemj.cockpit.flight_process import Setup
     from kitemj.cockpit.screens import Screen
+    from kitemj.cockpit.stick import Stick
     from kitemj.flight.course import Course
-    from kitemj.flight.live import LiveFlight
     from kitemj.flight.scenario import Scenario
-    from kitemj.recording.going_on import Flown
-    from kitemj.recording.recorder import Recorder
+    from kitemj.physics.parameters import Parameters
 
 SHOW_DURATION = 20.0
 """s; of a flight that nobody watches."""
@@ -63,70 +63,97 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(words: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.cockpit.flight_process import FlightProcess
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.picture import Picture
     from kitemj.cockpit.screens import display_found
-    from kitemj.flight.output import check_new
 
-    pixels = size(words.size)
-    flight, past = _flight(words)
+    pixels, setup = size(words.size), _setup(words)
     if words.duration is not None and not words.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {words.duration} s")
-    if words.record:
-        check_new(words.record, words.overwrite)
+    parameters, programme = setup.scenario.parameters, _programme(words, setup.scenario)
     path, duration = None, words.duration
     if words.headless or not display_found():
         path, duration = _film_path(words), duration or SHOW_DURATION
         why = "as asked, no window" if words.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
-    with Picture(flight.parameters, *pixels) as picture:
-        course, screen = None, _screen(words, flight, path, pixels)
-        if not path:
-            course = _course(words, flight)
+    physics = FlightProcess(setup)
+    with Picture(parameters, *pixels) as picture:
+        physics.wait()
+        screen = _film(words, path, programme, parameters) if path else None
+        course = None if screen else _course(words, setup.scenario)
+        screen = screen or _window(setup.scenario, pixels, programme)
         screen.wishes.view = words.view
-        recorder = _recorder(words, flight)
-        print(fly(flight, picture, screen, duration, words.called, recorder, past, course))
+        print(fly(physics, picture, screen, duration, words.called, course))
     if path:
         print(f"film         {path}")
     return 0
 
 
-def _screen(
-    words: argparse.Namespace, flight: "LiveFlight", path: Path | None, pixels: tuple[int, int]
-) -> "Screen":
-    """A film at `path`, else a window."""
-    from kitemj.cockpit.programmed import read_programmed_stick
-    from kitemj.cockpit.screens import FilmScreen, Window
-    from kitemj.cockpit.settings import settings_or_defaults
-    from kitemj.cockpit.shows import show_of
-    from kitemj.cockpit.stick import PersonStick
+def _setup(words: argparse.Namespace) -> "Setup":
+    """What is to be flown, and recorded where."""
+    from kitemj.cockpit.flight_process import Setup
+    from kitemj.flight.simulate import check_model
+    from kitemj.recording.file import read_recording
+    from kitemj.recording.going_on import past_of
 
-    parameters = flight.parameters
-    programme = read_programmed_stick(words.stick, parameters) if words.stick else None
-    if path:
-        return FilmScreen(path, *pixels, programme or show_of(parameters), words.overwrite)
-    settings, complaint = settings_or_defaults()
-    person = PersonStick(settings, parameters)
-    if complaint:
-        person.notices.say(complaint)
-    return Window(*pixels, f"kitemj: {flight.scenario.source}", person, programme)
+    if words.past is None and words.at is not None:
+        raise InputError("--at needs --from RECORDING, whose time it is")
+    if words.past is not None and words.scenario is not None:
+        raise InputError("--from goes on with the recording's own scenario: leave the other out")
+    check_model(words.model, words.step)
+    record = _record(words)
+    if words.past is not None:
+        past = past_of(read_recording(words.past), words.at)
+        return Setup(*past[:4], record, words.overwrite, past.ticks)
+    return Setup(_scenario(words), words.model, "lagrange", words.step, record, words.overwrite)
 
 
-def _recorder(words: argparse.Namespace, flight: "LiveFlight") -> "Recorder | None":
-    """What records the flight; where the present folder cannot be written, nothing does."""
-    from kitemj.recording.header import header_of
-    from kitemj.recording.recorder import Recorder, moment_name
+def _record(words: argparse.Namespace) -> Path | None:
+    """Where the recording goes; where the present folder cannot be written, there is none."""
+    from kitemj.flight.output import check_new
+    from kitemj.recording.recorder import moment_name
 
     if words.no_record:
         return None
+    path: Path = words.record or moment_name()
     try:
-        path = words.record or moment_name()
-        return Recorder(path, header_of(flight), flight.parameters, words.overwrite)
+        check_new(path, words.overwrite)
     except InputError as error:
         if words.record:
             raise
         print(f"this flight is not recorded: {error}")
         return None
+    return path
+
+
+def _programme(words: argparse.Namespace, scenario: "Scenario") -> "Stick | None":
+    """The table that flies, if there is one."""
+    from kitemj.cockpit.programmed import read_programmed_stick
+
+    return read_programmed_stick(words.stick, scenario.parameters) if words.stick else None
+
+
+def _film(
+    words: argparse.Namespace, path: Path, stick: "Stick | None", parameters: "Parameters"
+) -> "Screen":
+    from kitemj.cockpit.screens import FilmScreen
+    from kitemj.cockpit.shows import show_of
+
+    return FilmScreen(path, *size(words.size), stick or show_of(parameters), words.overwrite)
+
+
+def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None") -> "Screen":
+    """A window for a person, with what they have set; `stick` flies in their place."""
+    from kitemj.cockpit.screens import Window
+    from kitemj.cockpit.settings import settings_or_defaults
+    from kitemj.cockpit.stick import PersonStick
+
+    settings, complaint = settings_or_defaults()
+    person = PersonStick(settings, scenario.parameters)
+    if complaint:
+        person.notices.say(complaint)
+    return Window(*pixels, f"kitemj: {scenario.source}", person, stick)
 
 
 def _film_path(words: argparse.Namespace) -> Path:
@@ -157,21 +184,6 @@ def _scenario(words: argparse.Namespace) -> "Scenario":
     return replace(scenario, parameters=scenario.parameters._replace(stick=stick))
 
 
-def _flight(words: argparse.Namespace) -> "tuple[LiveFlight, list[Flown]]":
-    """The flight, and what of it is past already."""
-    from kitemj.flight.live import LiveFlight
-    from kitemj.recording.file import read_recording
-    from kitemj.recording.going_on import past_of
-
-    if words.past is None:
-        if words.at is not None:
-            raise InputError("--at needs --from RECORDING, whose time it is")
-        return LiveFlight(_scenario(words), words.model, step=words.step), []
-    if words.scenario is not None:
-        raise InputError("--from goes on with the recording's own scenario: leave the other out")
-    return past_of(read_recording(words.past), words.at)
-
-
-def _course(words: argparse.Namespace, flight: "LiveFlight") -> "Course | None":
+def _course(words: argparse.Namespace, scenario: "Scenario") -> "Course | None":
     """The lessons that are not passed yet; they are written for the kite `sport`."""
     return None

@@ -8,8 +8,9 @@ from kitemj.errors import InputError
 
 if TYPE_CHECKING:
     from kitemj.cockpit.fly import Summary
-    from kitemj.cockpit.real_time import Step, Watched, WatchedFlight
+    from kitemj.cockpit.real_time import Step, Watched
     from kitemj.cockpit.screens import Screen
+    from kitemj.physics.parameters import Parameters
     from kitemj.stability.tables import Cell, Table
 
 STICK_DURATION = 20.0
@@ -34,8 +35,9 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(words: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.cockpit.flight_process import FlightProcess, Setup
     from kitemj.cockpit.picture import Picture
-    from kitemj.cockpit.real_time import WatchedFlight, endured, steps_of_the_stick
+    from kitemj.cockpit.real_time import endured, steps_of_the_stick
     from kitemj.cockpit.screens import display_found
     from kitemj.cockpit.shows import show_of
     from kitemj.flight.scenario import scenario_of
@@ -46,20 +48,23 @@ def run(words: argparse.Namespace) -> int:
     pixels = size(words.size)
     scenario = scenario_of({"set": words.kite, "duration": 60.0}, f"the kite {words.kite}")
     window = not words.headless and display_found()
-    with Picture(scenario.parameters, *pixels) as picture:
-        flight, stick = WatchedFlight(scenario, step=words.step), show_of(scenario.parameters)
-        screen = _screen(words, flight, window)
-        flown, watched = endured(flight, picture, screen, stick, words.duration, words.called)
+    parameters = scenario.parameters
+    setup = Setup(scenario, "mujoco", "lagrange", words.step)
+    physics = FlightProcess(setup)
+    with Picture(parameters, *pixels) as picture:
+        screen, stick = _screen(words, parameters, window), show_of(parameters)
+        physics.wait()
+        flown, watched = endured(physics, picture, screen, stick, words.duration, words.called)
         window = window and display_found()
-        screen = _screen(words, flight, window)
-        steps = steps_of_the_stick(flight, picture, screen, STICK_DURATION)
+        screen = _screen(words, parameters, window)
+        steps = steps_of_the_stick(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
     print_table(_flight_table(flown, watched, f"{words.size}, {where}, everything shown"))
     print_table(_stick_table(steps))
     return 0
 
 
-def _screen(words: argparse.Namespace, flight: "WatchedFlight", window: bool) -> "Screen":
+def _screen(words: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
     from kitemj.cockpit.real_time import NoScreen
     from kitemj.cockpit.screens import Screen, Window
     from kitemj.cockpit.settings import Settings
@@ -67,7 +72,7 @@ def _screen(words: argparse.Namespace, flight: "WatchedFlight", window: bool) ->
 
     screen: Screen = NoScreen()
     if window:
-        person = PersonStick(Settings(), flight.parameters)
+        person = PersonStick(Settings(), parameters)
         screen = Window(*size(words.size), "kitemj realtime", person)
     screen.wishes.view = words.view
     return screen

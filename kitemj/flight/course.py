@@ -1,14 +1,14 @@
 """The first-flight course: which lesson is flown, what is to be done now, which are passed."""
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from math import inf, pi
 from typing import NamedTuple
 
 from kitemj.dynamics.motion import Motion, State
-from kitemj.flight.crash import AGAIN, FirstTouch
+from kitemj.flight.advice import LEFT, RIGHT, Advice, Eyes
+from kitemj.flight.crash import FirstTouch
 from kitemj.flight.equilibrium import equilibrium_state
-from kitemj.flight.lessons import LESSONS, Advice, Entry, Held, Look
-from kitemj.flight.pilots import Twist, sight
+from kitemj.flight.lessons import Eight, Landing, Lesson, Loop, Top, Turn
 from kitemj.physics.parameters import Parameters
 
 BLINK = 0.5
@@ -16,22 +16,46 @@ BLINK = 0.5
 PRAISED = 3.0
 """s for which a passed lesson is praised."""
 READING = 0.4
-"""s for which an advice stays at least: the kite may change its mind faster than one reads."""
-FULL = 0.85
-"""Of the stick's way: held as far as it goes."""
+"""s for which an advice stays at least: the kite may change faster than one reads."""
 
-NEVER_MIND = "Never mind, that is how everybody learns"
+NOTHING = Advice("", 0.0)
+NEVER_MIND = "Never mind, that is how one learns"
 FINISHED = "You have passed them all. The sky is yours"
 
 
+class Entry(NamedTuple):
+    """A lesson in the course: its name in files, its title, and how an attempt begins.
+
+    `begin` is told the elevation of rest [rad]. `aside` [rad]: by how much η is turned, to
+    the left, where a flight begins for this lesson.
+    """
+
+    key: str
+    title: str
+    begin: Callable[[float], Lesson]
+    aside: float = 0.0
+
+
+LESSONS = (
+    Entry("top", "Hold the top", Top, 0.3),
+    Entry("turn-left", "Turn left", lambda rest: Turn(LEFT)),
+    Entry("turn-right", "Turn right", lambda rest: Turn(RIGHT)),
+    Entry("loop-left", "A loop to the left", lambda rest: Loop(LEFT)),
+    Entry("loop-right", "A loop to the right", lambda rest: Loop(RIGHT)),
+    Entry("eight", "A figure of eight", lambda rest: Eight()),
+    Entry("land", "Land", lambda rest: Landing()),
+)
+"""In the order in which they are flown."""
+
+
 class Standing(NamedTuple):
-    """What a panel shows of the course; `number` of `count`, 0 when all are passed.
+    """What a panel shows of the course: lesson `number` of `total`, 0 when all are passed.
 
     `push` in -1..1 is where the stick should be, right positive; `progress` in 0..1.
     """
 
     number: int
-    count: int
+    total: int
     title: str
     advice: str
     push: float
@@ -39,41 +63,22 @@ class Standing(NamedTuple):
     praised: bool
 
 
-class Eyes:
-    """Looks at motions one after another."""
-
-    def __init__(self, parameters: Parameters) -> None:
-        self._limit, self._twist, self._pull = parameters.stick.delta, Twist(), Held()
-        self._up: float | None = None  # turns of the nose when it last pointed up
-
-    def look(self, motion: Motion) -> Look:
-        """The next instant; turns are counted when this is asked every half turn or more."""
-        seen, twist = sight(motion), self._twist.look(motion)
-        pulling = self._pull.look(abs(motion.control.delta) > FULL * self._limit, motion.t)
-        nearest = twist - seen.heading / (2 * pi)  # turns at which the nose points up
-        self._up = nearest if self._up is None else self._up
-        look = Look(motion, seen, 2 * pi * (twist - self._up), twist, pulling)
-        if look.upright:
-            self._up = nearest
-        return look
-
-
 class Course:
     """The lessons that are not `passed` yet, flown in order; told of the motions of one flight.
 
-    Every tick or every frame will do. Where time jumps back, at a restart or a rewind, and
-    after half a second unseen, the attempt at the present lesson begins again; a touch of
-    the ground ends it until then. Raises InputError where the kite cannot hang still.
+    Every tick or every frame will do. Where time jumps, at a restart, a rewind or after half
+    a second unseen, the attempt at the present lesson begins again; a touch of the ground
+    ends it until then. Raises InputError where the kite cannot hang still.
     """
 
     def __init__(self, parameters: Parameters, passed: Collection[str] = ()) -> None:
         """`passed`: keys of LESSONS; others are ignored."""
-        self._parameters, self._ground = parameters, FirstTouch(parameters)
-        self._rest = equilibrium_state(parameters)
+        self._parameters, self._rest = parameters, equilibrium_state(parameters)
         self.passed = {entry.key for entry in LESSONS} & set(passed)
-        self._t = inf
-        self._praise = -inf  # until when
-        self._index, self._down, self._praised = -1, "", ""
+        self._t, self._praise = inf, -inf  # the latter: until when
+        self._praised = self._down = ""
+        self._shown, self._since = NOTHING, -inf
+        self._ground, self._index = FirstTouch(parameters), -1
         self.skip()
 
     @property
@@ -92,21 +97,21 @@ class Course:
     @property
     def standing(self) -> Standing:
         """What is to be shown now."""
-        praised, entry, now = self._t < self._praise, self.lesson, self._shown
-        text = f"Well done! {self._praised}" if praised else self._down or now.text
+        entry, total = self.lesson, len(LESSONS)
+        title = entry.title if entry else "All lessons"
+        if self._t < self._praise:
+            text = f"Well done! {self._praised}"
+            return Standing(self._index + 1, total, title, text, 0.0, 1.0, True)
         if not entry:
-            return Standing(0, len(LESSONS), "All lessons", text or FINISHED, 0.0, 1.0, praised)
-        push = 0.0 if praised or self._down else now.push
-        return Standing(
-            self._index + 1, len(LESSONS), entry.title, text, push, self._progress, praised
-        )
+            return Standing(0, total, title, self._down or FINISHED, 0.0, 1.0, False)
+        now = Advice(self._down, 0.0) if self._down else self._shown
+        return Standing(self._index + 1, total, title, now.text, now.push, self._progress, False)
 
     def watch(self, motion: Motion, crashed: bool = False) -> None:
         """The next motion; `crashed` where the caller knows of a crash."""
-        if motion.t < self._t:
+        if not 0 <= motion.t - self._t <= BLINK:
+            self._ground = FirstTouch(self._parameters)
             self._down, self._praise = "", -inf
-            self._begin()
-        elif motion.t - self._t > BLINK:
             self._begin()
         self._t = motion.t
         touch = self._ground.watch(motion)
@@ -114,11 +119,10 @@ class Course:
             return
         advice = self._attempt.watch(self._eyes.look(motion)._replace(touch=touch))
         self._progress = advice.progress
-        passed = advice.progress >= 1.0
         if touch or crashed:
             gentle = touch is not None and touch.gentle and not crashed
-            self._down = f"{'A soft landing' if gentle else NEVER_MIND}. {AGAIN}"
-        if passed:
+            self._down = f"{'A soft landing' if gentle else NEVER_MIND}. R or A flies again"
+        if advice.progress >= 1.0:
             self._pass()
         elif advice.text != self._shown.text and motion.t - self._since >= READING:
             self._shown, self._since = advice, motion.t
@@ -149,4 +153,4 @@ class Course:
         rest = pi / 2 - self._rest.q.gamma
         self._attempt = self.lesson.begin(rest) if self.lesson else None
         self._eyes = Eyes(self._parameters)
-        self._shown, self._since, self._progress = Advice("", 0.0, 0.0), -inf, 0.0
+        self._shown, self._since, self._progress = NOTHING, -inf, 0.0

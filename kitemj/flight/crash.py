@@ -18,7 +18,7 @@ SOFT = 3.0
 AGAIN = "R or the pad's A button starts again"
 
 DAMAGES = (
-    (6.0, "Nothing broke: grass stains, and a fright for the worms"),
+    (6.0, "Nothing broke, but it will have grass stains"),
     (9.0, "A spreader popped out of its fitting"),
     (13.0, "A spreader snapped"),
     (18.0, "The {edge} broke"),
@@ -58,16 +58,15 @@ class Touch:
     def damage(self) -> str:
         """What broke, an estimate."""
         if self.gentle:
-            return "Landed: nothing broke"
+            return "Landed, and nothing broke"
         edge = "spine" if self.part in ("nose", "tail", "belly") else "leading edge"
         broken = next(what for limit, what in DAMAGES if self.hardness < limit)
         return broken.format(edge=edge)
 
     @property
-    def blow(self) -> str:
-        """Which part, how fast."""
-        way = f"{max(self.sinking, 0.0):.1f} m/s of it downwards"
-        return f"the {self.part} touched first, at {self.speed:.1f} m/s, {way}"
+    def pace(self) -> str:
+        """How fast."""
+        return f"at {self.speed:.1f} m/s, {max(self.sinking, 0.0):.1f} m/s of it downwards"
 
     @property
     def place(self) -> str:
@@ -84,7 +83,8 @@ class Touch:
     def __str__(self) -> str:
         """All of it in a line."""
         guess = "" if self.gentle else f" ({self.reason})"
-        return f"{self.damage}{guess}: {self.blow}, {self.place}. {AGAIN}."
+        how = f"The {self.part} touched first, {self.pace}, {self.place}"
+        return f"{self.damage}{guess}. {how}. {AGAIN}."
 
 
 def touch_at(parameters: Parameters, motion: Motion, before: Motion | None = None) -> Touch | None:
@@ -132,7 +132,7 @@ def _part(kite: Kite, body: Body) -> str:
     across = "left" if side < 0 else "right"
     steep = abs(nose) > LEVEL * kite.chord, abs(side) > LEVEL * kite.span
     if steep == (True, True):
-        return f"{along} corner of the {across} wing"
+        return f"{across} wing's {along} corner"
     if steep == (True, False):
         return "nose" if nose < 0 else "tail"
     return f"{across} tip" if steep[1] else "belly"

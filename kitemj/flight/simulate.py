@@ -31,12 +31,8 @@ class Flight:
 
 
 def make_model(name: str, parameters: Parameters, step: float = DEFAULT_STEP) -> Model:
-    """The model called `name` with steps of `step` [s].
-
-    Raises InputError for an unknown model or a step that is not positive.
-    """
-    if not 0 < step <= MAX_STEP:
-        raise InputError(f"--step must be > 0 s and <= {MAX_STEP} s, got {step} s")
+    """The model called `name` with steps of `step` [s]; raises as `check_model`."""
+    check_model(name, step)
     if name == "mujoco":
         from kitemj.dynamics.mujoco_kite import MujocoKite
 
@@ -45,11 +41,17 @@ def make_model(name: str, parameters: Parameters, step: float = DEFAULT_STEP) ->
         from kitemj.dynamics.lagrange_kite import LagrangeKite
 
         return LagrangeKite(parameters, step)
-    if name == "newton-euler":
-        from kitemj.dynamics.newton_euler_kite import NewtonEulerKite
+    from kitemj.dynamics.newton_euler_kite import NewtonEulerKite
 
-        return NewtonEulerKite(parameters, step)
-    raise InputError(f"there is no model {name!r}; there are: {', '.join(MODELS)}")
+    return NewtonEulerKite(parameters, step)
+
+
+def check_model(name: str, step: float) -> None:
+    """Raises InputError for an unknown model or a step [s] that is not positive, or too long."""
+    if not 0 < step <= MAX_STEP:
+        raise InputError(f"--step must be > 0 s and <= {MAX_STEP} s, got {step} s")
+    if name not in MODELS:
+        raise InputError(f"there is no model {name!r}; there are: {', '.join(MODELS)}")
 
 
 def simulate(scenario: Scenario, model: str = "mujoco", step: float = DEFAULT_STEP) -> Flight:

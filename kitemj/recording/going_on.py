@@ -19,10 +19,17 @@ class Flown(NamedTuple):
 
 
 class Past(NamedTuple):
-    """A live flight at its start, and the ticks that lead to the moment."""
+    """How a flight began, with which models, and the `ticks` that lead to the moment."""
 
-    flight: LiveFlight
-    ticks: list[Flown]
+    scenario: Scenario
+    model: str
+    reference: str
+    step: float
+    ticks: tuple[Flown, ...]
+
+    def flight(self) -> LiveFlight:
+        """The flight at its start."""
+        return LiveFlight(self.scenario, self.model, self.reference, self.step)
 
 
 def past_of(recording: Recording, at: float | None = None) -> Past:
@@ -39,19 +46,14 @@ def past_of(recording: Recording, at: float | None = None) -> Past:
     rows = way[: len(way) if at is None else round(at / tick) + 1]
     sticks = [recording.columns[name][rows].tolist() for name in STICK]
     controls = [recording.columns[name][rows].tolist() for name in STEERING]
-    commands = [Command(d, l, StickLaw(int(law))) for d, l, law in zip(*sticks, strict=True)]
+    commands = (Command(d, ell, StickLaw(int(law))) for d, ell, law in zip(*sticks, strict=True))
     segments = [
         Segment(max(k - 1, 0) * tick, Control(*control))
         for k, control in enumerate(zip(*controls, strict=True))
     ]
-    flown = [Flown(*both) for both in zip(commands, segments, strict=True)]
-    return Past(_flight(recording, segments[0].control), flown[1:])
-
-
-def _flight(recording: Recording, first: Control) -> LiveFlight:
-    header = recording.header
+    ticks = tuple(Flown(*both) for both in zip(commands, segments, strict=True))[1:]
+    header, first = recording.header, segments[0].control
     held = Sines(ell=first.ell, delta=first.delta)
-    scenario = Scenario(
-        header.scenario, recording.parameters, held, header.state, Times(duration=60.0)
-    )
-    return LiveFlight(scenario, header.model, header.reference, header.step)
+    times = Times(duration=60.0)  # a live flight has no end
+    scenario = Scenario(header.scenario, recording.parameters, held, header.state, times)
+    return Past(scenario, header.model, header.reference, header.step, ticks)

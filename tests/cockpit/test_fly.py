@@ -5,9 +5,13 @@ import pygame
 import pytest
 
 from kitemj.cockpit.fly import fly
+from kitemj.cockpit.history import History
+from kitemj.cockpit.pacing import Pacer
 from kitemj.cockpit.picture import Picture, Readings
-from kitemj.cockpit.screens import FilmScreen, Window, display_found
 from kitemj.cockpit.programmed import show
+from kitemj.cockpit.screens import FilmScreen, Window, display_found
+from kitemj.cockpit.settings import Settings
+from kitemj.cockpit.stick import PersonStick
 from kitemj.dynamics.motion import attachment_E
 from kitemj.flight.live import LiveFlight
 from kitemj.flight.scenario import scenario_of
@@ -15,7 +19,9 @@ from tests.cockpit.virtual_pad import VirtualPad
 
 SIZE = (640, 360)
 QUICK = {"delta": 0.4, "delta_dot": 0.5, "delta_ddot": 2.0}
-SCENARIO = scenario_of({"set": "thesis", "duration": 60.0, "stick": QUICK}, "test")
+SCENARIO = scenario_of(
+    {"set": "thesis", "duration": 60.0, "stick": {**QUICK, "mirrored": False}}, "test"
+)
 
 
 class Script:
@@ -33,11 +39,18 @@ class Script:
         self.window.show(frame, wall)
 
 
+def paced(flight=None):
+    """The flight in a thread of this process, where a test can look at it."""
+    flight = flight or LiveFlight(SCENARIO)
+    flight.warm_up()
+    return Pacer(flight, History(flight.parameters))
+
+
 @pytest.fixture
 def window(monkeypatch):
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     assert display_found()
-    window = Window(*SIZE, "test")
+    window = Window(*SIZE, "test", PersonStick(Settings(), SCENARIO.parameters))
     yield window
     pygame.display.quit()
 
@@ -52,7 +65,7 @@ def test_right_stick_pulls_the_line_that_the_pilot_sees_on_the_right(window, pic
     """L₋ gets shorter, L₊ longer; A₋ is right of A₊ in the picture."""
     pad, flight = VirtualPad(), LiveFlight(SCENARIO)
     script = Script(window, [(0.1, lambda: pad.left_stick(1.0))])
-    fly(flight, picture, script, duration=2.0)
+    fly(paced(flight), picture, script, duration=2.0)
     motion = flight.kite.motion(flight.segment)
     assert window.stick.name == "gamepad"
     assert motion.control.delta > 0.1
@@ -79,7 +92,7 @@ def test_unplugged_pad_centres_and_comes_back(window, picture):
         (1.2, lambda: pads.append(VirtualPad())),
         (1.4, lambda: pads[1].left_stick(-1.0)),
     ]
-    fly(flight, picture, Script(window, doings), duration=2.2)
+    fly(paced(flight), picture, Script(window, doings), duration=2.2)
     ticks = wishes[4:]  # the warm-up and the two starts before
     assert max(ticks) == pytest.approx(0.4)
     gone = ticks.index(max(ticks)) + 90
@@ -90,7 +103,7 @@ def test_unplugged_pad_centres_and_comes_back(window, picture):
 def test_escape_leaves_and_the_summary_adds_up(window, picture):
     escape = pygame.event.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE)
     script = Script(window, [(0.5, lambda: pygame.event.post(escape))])
-    summary = fly(LiveFlight(SCENARIO), picture, script, duration=20.0)
+    summary = fly(paced(), picture, script, duration=20.0)
     assert 0.4 < summary.wall < 5.0
     assert summary.flown == pytest.approx(summary.times.ticks * 0.01)
     assert abs(summary.flown + summary.times.lost - summary.wall) < 0.3
@@ -105,7 +118,8 @@ def test_interrupt_leaves_a_complete_film(tmp_path, picture):
                 raise KeyboardInterrupt
 
     path = tmp_path / "kite.mp4"
-    summary = fly(LiveFlight(SCENARIO), picture, Impatient(path, *SIZE, show(SCENARIO.parameters)), duration=20.0)
+    screen = Impatient(path, *SIZE, show(SCENARIO.parameters))
+    summary = fly(paced(), picture, screen, duration=20.0)
     assert summary.flown > 0
     with av.open(str(path)) as film:
         assert sum(1 for _ in film.decode(video=0)) >= 10

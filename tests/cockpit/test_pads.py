@@ -17,11 +17,15 @@ CELL = 1 / 32767
 """Of full deflection: what a stick of 16 bits can tell apart."""
 
 
+SEATS = []
+
+
 class Seat:
     """A person with pads; `look` sees all events and returns the actions asked for."""
 
     def __init__(self, settings=STRAIGHT, parameters=SPORT):
         self.stick = PersonStick(settings, parameters)
+        SEATS.append(self)
 
     def look(self):
         return tuple(name for event in events() for name in self.stick.handle(event))
@@ -44,15 +48,15 @@ def screen(monkeypatch):
     pygame.display.init()
     pygame.display.set_mode((200, 100))
     yield
+    while SEATS:
+        SEATS.pop().stick.close()
     pygame.joystick.quit()
     pygame.display.quit()
 
 
 @pytest.fixture
 def seat():
-    seat = Seat()
-    yield seat
-    seat.stick.close()
+    return Seat()
 
 
 def guid(pad):
@@ -211,8 +215,7 @@ def test_a_layout_goes_before_what_sdl_knows():
 def test_a_layout_of_another_pad_is_a_sentence():
     seat, _ = laid_out(Layout("odd pad", steer=Source("axis", 9)))
     assert seat.message == (
-        "the pad odd pad has no axis 9, which its layout names: run kitemj pad; "
-        "keys and mouse fly"
+        "the pad odd pad has no axis 9, which its layout names: run kitemj pad; keys and mouse fly"
     )
     assert seat.delta == 0.0
 

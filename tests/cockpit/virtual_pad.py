@@ -64,6 +64,7 @@ class VirtualPad:
 
     kind, vendor, product = GAME_CONTROLLER, XBOX_VENDOR, XBOX_PRODUCT
     axes, buttons, hats = 6, 15, 0
+    triggers: tuple[int, ...] = ()  # SDL minds those that it knows itself
 
     def __init__(self, name: str = "virtual pad") -> None:
         assert pygame.joystick.get_init()
@@ -84,6 +85,9 @@ class VirtualPad:
         assert index >= 0, "SDL could not make a virtual joystick"
         self._handle = self._sdl.SDL_JoystickOpen(index)
         self._instance = self._sdl.SDL_JoystickInstanceID(self._handle)
+        for number in self.triggers:
+            self.axis(number, -1.0)
+        self._sdl.SDL_JoystickUpdate()  # SDL takes what an axis says first for its rest
 
     def axis(self, number: int, x: float) -> None:
         """Moves an axis to `x` in -1..1."""
@@ -115,7 +119,7 @@ class OddPad(VirtualPad):
 
     kind, vendor, product = 0, 0x1234, 0x4321
     axes, buttons, hats = 5, 8, 1
+    triggers = (2,)
 
     def __init__(self, name: str = "odd pad") -> None:
         super().__init__(name)
-        self.axis(2, -1.0)

@@ -106,7 +106,8 @@ def test_trail_ends_where_the_flight_went_back_to(tmp_path):
 def test_a_recording_is_flown_on_from_its_last_flight(tmp_path, at):
     doings = [430, "restart", 420, "save", 50, "load", 200]
     recording, _ = flown(tmp_path / "x.arrows", doings)
-    flight, ticks = past_of(recording, at)
+    past = past_of(recording, at)
+    flight, ticks = past.flight(), past.ticks
     recorder = recorder_of(flight, tmp_path / "y.arrows")
     pacer = Pacer(flight, History(flight.parameters), recorder, ticks)
     assert flight.ticks == (320 if at else 620)

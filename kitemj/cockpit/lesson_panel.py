@@ -1,0 +1,108 @@
+"""What a first flight is told: the lesson with its advice, and how the kite met the ground.
+
+Both lie between the panels at the sides: the lesson where the kite is not, the card of a
+touch in the middle.
+"""
+
+import pygame
+
+from kitemj.cockpit.lettering import Colour, width, wrapped
+from kitemj.cockpit.panel import CALL, DIM, GOOD, INK, LEFT, NAME, RIGHT, TROUGH, WHITE, Panel
+from kitemj.flight.course import Standing
+from kitemj.flight.crash import AGAIN, Touch
+
+HEIGHT, CARD_EDGE = 160, 18  # units
+GAP = 8  # units between things that lie above one another
+SIZES = (26, 24, 22, 20, 18)  # of the advice, the first that fits in two lines
+LEADING = 1.45  # of lines, in digit heights
+CHEVRONS = (0.1, 0.3, 0.7)  # of the stick's way, from which on each is lit
+HINT = "N: next lesson     B: begin again"
+
+
+def paint_lesson(
+    surface: pygame.Surface, room: pygame.Rect, unit: float, lesson: Standing, top: bool
+) -> pygame.Rect:
+    """The lesson at the top or the foot of `room` [px]; returns where that is."""
+    row = float(room.top if top else room.bottom - HEIGHT * unit)
+    panel = Panel(surface, (room.left, row, room.width / unit, HEIGHT), unit)
+    panel.ground()
+    middle, inner = panel.width / 2, panel.width - 28
+    number = f"Lesson {lesson.number} of {lesson.total}  ·  " if lesson.number else ""
+    panel.text(number + lesson.title, middle, 20, NAME, WHITE, 0.5)
+    panel.text(HINT, middle, HEIGHT - 16, NAME - 3, align=0.5)
+    size, lines = _fitting(lesson.advice, inner, unit)
+    colour = GOOD if lesson.praised else WHITE
+    for i, line in enumerate(lines):
+        below = (i - (len(lines) - 1) / 2) * size * LEADING
+        panel.text(line, middle, 68 + below, size, colour, 0.5)
+    _progress(panel, lesson)
+    return panel.box
+
+
+def beside(room: pygame.Rect, box: pygame.Rect, unit: float) -> pygame.Rect:
+    """What is left of `room` [px] above or below `box`, whichever is more."""
+    gap = round(GAP * unit)
+    above, below = box.top - gap - room.top, room.bottom - box.bottom - gap
+    top = room.top if above > below else box.bottom + gap
+    return pygame.Rect(room.left, top, room.width, max(above, below))
+
+
+def _fitting(text: str, inner: float, unit: float) -> tuple[float, tuple[str, ...]]:
+    """The largest size [units] in which `text` takes two lines, or the smallest; the lines."""
+    for size in SIZES:
+        lines = wrapped(text, inner * unit, size * unit)
+        if len(lines) <= 2:
+            break
+    return size, lines
+
+
+def _progress(panel: Panel, lesson: Standing) -> None:
+    """A bar, and at its ends which way the stick should go, by how much."""
+    row, left, wide = 112, 84.0, panel.width - 168
+    panel.bar(left, row, wide, 10, TROUGH)
+    share = min(max(lesson.progress, 0.0), 1.0)
+    if share > 0:
+        panel.bar(left, row, share * wide, 10, GOOD)
+    for side, colour in ((-1.0, LEFT), (1.0, RIGHT)):
+        edge = left - 14 if side < 0 else left + wide + 14
+        for i, least in enumerate(CHEVRONS):
+            lit = lesson.push * side > least
+            foot = edge + side * 18 * i
+            tip = (foot + side * 13, row + 5)
+            points = [(foot, row - 6), tip, (foot, row + 16)]
+            panel.polygon(points, colour if lit else TROUGH)
+
+
+def paint_touch(
+    surface: pygame.Surface, room: pygame.Rect, unit: float, touch: Touch
+) -> pygame.Rect:
+    """A card in the middle of `room` [px]: what broke, how fast, where, what to do.
+
+    Returns where that is.
+    """
+    colour = GOOD if touch.gentle else CALL
+    inner = room.width - 2 * CARD_EDGE * unit
+    lines: list[tuple[str, float, Colour]] = []
+
+    def say(text: str, size: float, colour: Colour) -> None:
+        lines.extend((part, size, colour) for part in wrapped(text, inner, size * unit))
+
+    say(touch.damage, 30, colour)
+    if not touch.gentle:
+        say(touch.reason, 16, DIM)
+    say(f"The {touch.part} touched first", 18, WHITE)
+    say(touch.pace, 18, WHITE)
+    say(touch.place, 18, WHITE)
+    say(AGAIN, 20, CALL)
+    wide = max(width(text, size * unit) for text, size, _ in lines) / unit + 2 * CARD_EDGE
+    tall = sum(size * LEADING for _, size, _ in lines) + 2 * CARD_EDGE
+    corner = room.centerx - wide * unit / 2, room.centery - tall * unit / 2
+    panel = Panel(surface, (*corner, wide, tall), unit)
+    surface.fill(INK, panel.box)
+    pygame.draw.rect(surface, colour, panel.box, max(round(3 * unit), 1))
+    row = float(CARD_EDGE)
+    for text, size, shade in lines:
+        row += size * LEADING / 2
+        panel.text(text, wide / 2, row, size, shade, 0.5)
+        row += size * LEADING / 2
+    return panel.box

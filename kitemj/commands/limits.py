@@ -1,0 +1,70 @@
+"""`kitemj limits`: how much of each physical limit a flight takes up."""
+
+import argparse
+from math import isnan
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kitemj.commands.plot import add_file, add_save
+from kitemj.commands.words import Parser, command
+
+if TYPE_CHECKING:
+    from kitemj.stability.tables import Cell
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "limits",
+        "print and draw T₊/T_max, T₋/T_max, α/α_stall and |β|/β_max of a flight",
+        "kitemj limits scenarios/steer_80m.toml --save limits.pdf",
+    )
+    parser.epilog = (
+        "Above 1, or with a tension or an α of 0 or less, the model is not valid: the figure is\n"
+        "hatched there, and the table says from when on. The exit status is 0 all the same.\n\n"
+        f"{parser.epilog}"
+    )
+    add_file(parser)
+    add_save(parser, "the figure: .png, .pdf or .svg")
+    parser.add_argument(
+        "--output", type=Path, metavar="FILE", help="the table: .json, .csv or .parquet"
+    )
+    parser.set_defaults(run=run)
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.flight.output import check_new
+    from kitemj.plots.figure_files import check_figures, save_figures
+    from kitemj.plots.limits import Extremes, extremes, limits_figure
+    from kitemj.plots.sources import read_flown
+    from kitemj.stability.results import check_format, print_table, write
+    from kitemj.stability.tables import Table
+
+    if words.output:
+        check_format(words.output)
+        check_new(words.output, words.overwrite)
+    if words.save:
+        check_figures(words.save, ["limits"], words.overwrite)
+    flown, notes = read_flown(words.file, words.model, words.leg, words.kite)
+    rows: list[tuple[Cell, ...]] = [*extremes(flown)]
+    for note in notes:
+        print(note)
+    print_table(Table(f"limits: {flown.name}", Extremes._fields, [_worded(row) for row in rows]))
+    departure = flown.departure
+    print(
+        f"left the limits of validity at {departure}"
+        if departure
+        else "within all limits of validity throughout"
+    )
+    if words.output:
+        write(words.output, [Table("limits", Extremes._fields, rows)], {}, words.overwrite)
+    if words.save:
+        print(*save_figures({"limits": limits_figure(flown)}, words.save, words.overwrite))
+    return 0
+
+
+def _worded(row: "tuple[Cell, ...]") -> "tuple[Cell, ...]":
+    """For people: what is not a number is a moment that never came."""
+    return tuple("never" if isinstance(cell, float) and isnan(cell) else cell for cell in row)

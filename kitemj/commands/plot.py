@@ -1,0 +1,107 @@
+"""`kitemj plot`: a flight drawn for print."""
+
+import argparse
+from pathlib import Path
+
+from kitemj.commands.words import MODELS, Parser, command
+from kitemj.errors import InputError
+
+FIGURES = ("state", "rates", "tensions", "angles", "steering", "path", "window")
+ALL = "all"
+
+
+def add(commands: "argparse._SubParsersAction[Parser]") -> None:
+    """Adds the subcommand to the others."""
+    parser = command(
+        commands,
+        "plot",
+        "draw a recording, a scenario or a table: state, rates, tensions, angles, path, ...",
+        "kitemj plot scenarios/steer_80m.toml --what state,window --save flight.pdf",
+    )
+    parser.epilog = (
+        "Of several figures, NAME.pdf has a page for each; NAME.png and NAME.svg become\n"
+        "NAME-state.png, NAME-rates.png, ... A single figure is NAME itself.\n"
+        "Red and solid is the pilot's left, A₊; blue and dashed the right, A₋. Grey: beyond the\n"
+        "limits of validity.\n\n"
+        f"{parser.epilog}"
+    )
+    add_file(parser)
+    parser.add_argument(
+        "--what",
+        default=ALL,
+        metavar="A,B",
+        help=f"which of {', '.join(FIGURES)}; default {ALL} that the file has numbers for",
+    )
+    add_save(parser, "figures: .png, .pdf or .svg; without it they are shown in windows")
+    parser.set_defaults(run=run)
+
+
+def add_file(parser: Parser) -> None:
+    """The flight, and what can be chosen of it."""
+    parser.add_argument(
+        "file",
+        type=Path,
+        metavar="FILE",
+        help="a recording (*.arrows), a scenario (*.toml), which is flown, or a table (*.csv, "
+        "*.parquet) of kitemj simulate or replay --export",
+    )
+    parser.add_argument(
+        "--model", default="", help=f"flies a scenario: {', '.join(MODELS)}; default lagrange"
+    )
+    parser.add_argument(
+        "--leg",
+        type=int,
+        default=0,
+        metavar="N",
+        help="which flight of a recording, as kitemj info counts them; default the longest",
+    )
+    parser.add_argument(
+        "--kite",
+        default="",
+        metavar="SET",
+        help="which kite flew a table: a set or a scenario's file; default the set that its "
+        "lines fit",
+    )
+
+
+def add_save(parser: Parser, says: str) -> None:
+    """``--save``."""
+    parser.add_argument("--save", type=Path, metavar="NAME", help=says)
+    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+
+
+def run(words: argparse.Namespace) -> int:
+    """Returns the exit status."""
+    from kitemj.plots.figure_files import check_figures, save_figures
+    from kitemj.plots.figures import drawn
+    from kitemj.plots.sources import read_flown
+    from kitemj.plots.windows import check_windows, show
+
+    names = _names(words.what)
+    if words.save:
+        check_figures(words.save, names or list(FIGURES), words.overwrite)
+    else:
+        check_windows()
+    flown, notes = read_flown(words.file, words.model, words.leg, words.kite)
+    figures, lacking = drawn(flown, names)
+    for note in notes + lacking:
+        print(note)
+    if flown.departure:
+        print(f"left the limits of validity at {flown.departure}")
+    if words.save:
+        for path in save_figures(figures, words.save, words.overwrite):
+            print(path)
+    else:
+        show(figures)
+    return 0
+
+
+def _names(what: str) -> list[str]:
+    """The figures that were named, each once; none: all."""
+    names = list(dict.fromkeys(what.split(",")))
+    for name in names:
+        if name not in (*FIGURES, ALL):
+            raise InputError(
+                f"there is no figure {name!r}; there are: {', '.join(FIGURES)}, and {ALL}"
+            )
+    return [] if ALL in names else names
