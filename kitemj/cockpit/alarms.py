@@ -75,7 +75,7 @@ def paint_banner(
         lines.extend((part, size, colour, field) for part in wrapped(text, inner, size * unit))
 
     if message and not (alarm and message == alarm.sentence):
-        say(message, 23, WHITE, ALARM)
+        say(message, 20, CALL, INK)
     if alarm and alarm.age <= HELD:
         now = alarm.age == 0.0
         colour, field = (WHITE, ALARM) if now else (CALL, INK)

@@ -12,7 +12,7 @@ from kitemj.cockpit.pacing import Timekeeping
 from kitemj.cockpit.picture import Picture, Readings
 from kitemj.cockpit.programmed import ProgrammedStick
 from kitemj.cockpit.screens import FRAME_RATE, Frame, Screen
-from kitemj.flight.course import Course
+from kitemj.flight.course import Course, Standing
 from kitemj.flight.crash import Touch
 from kitemj.flight.live import TICK, Command, Moment
 from kitemj.physics.parameters import Parameters
@@ -162,7 +162,13 @@ def _painted(physics: Physics, picture: Picture, screen: Screen, course: Course 
         message=screen.message or physics.problem,
         traces=physics.history.traces(time.perf_counter()),
         help=HELP if wishes.help else (),
-        lesson=course.standing if course else None,
+        lesson=_lesson(course),
         touch=physics.touch,
     )
     return picture.paint(moment.motion, moment.reference, readings, wishes.view)
+
+
+def _lesson(course: Course | None) -> Standing | None:
+    """What is shown of the lessons; nothing once all are passed and praised."""
+    standing = course.standing if course else None
+    return standing if standing and (standing.number or standing.praised) else None

@@ -10,8 +10,9 @@ import numpy as np
 import pygame
 
 from kitemj.cockpit import strip_chart, wind_window
-from kitemj.cockpit.alarms import alarm_at, loudness, paint_banner
+from kitemj.cockpit.alarms import Alarm, alarm_at, loudness, paint_banner
 from kitemj.cockpit.knob import paint_knob
+from kitemj.cockpit.lesson_panel import beside, paint_lesson, paint_touch
 from kitemj.cockpit.lettering import width
 from kitemj.cockpit.panel import (
     CALL,
@@ -76,8 +77,21 @@ class Instruments:
         for name in sorted(names, key=lambda name: loudness(alarm, name)):
             self._paint_panel(name, surface, motion, readings, loudness(alarm, name))
         self._taken = [self.box(name) for name in names]
-        banner = paint_banner(surface, self._room(near), self.u, alarm, readings.message, near)
-        self._taken.append(banner)
+        self._say(surface, readings, None if readings.touch else alarm, near)
+
+    def _say(
+        self, surface: pygame.Surface, readings: "Readings", alarm: Alarm | None, near: bool
+    ) -> None:
+        """The lesson, how the kite met the ground, the message and the alarm, as there is room."""
+        room, u = self._room(near), self.u
+        if readings.lesson:
+            self._taken.append(paint_lesson(surface, room, u, readings.lesson, near))
+            room = beside(room, self._taken[-1], u)
+        self._taken.append(paint_banner(surface, room, u, alarm, readings.message, near))
+        if readings.touch:
+            if readings.message:
+                room = beside(room, self._taken[-1], u)
+            self._taken.append(paint_touch(surface, room, u, readings.touch))
 
     def box(self, name: str) -> pygame.Rect:
         """Where a panel is, or would be, in the frame [px]."""

@@ -34,9 +34,11 @@ def paint_knob(
     x = HUB[0] + OUTER + 26
     panel.text(hand, x, 24, 20, colour)
     panel.text(f"δ {degrees(delta):+.2f}°", x, 62, LARGE - 4, WHITE)
-    part = f"{degrees(wish):+.1f}°" if law is StickLaw.ANGLE else f"{wish / limit:+.0%} {ASKS[law]}"
-    panel.text(f"asked {part}", x, 98, NUMBER - 5, CALL)
-    panel.text(f"±{degrees(limit):.1f}°", panel.width - 12, 98, align=1)
+    if law is StickLaw.ANGLE:
+        panel.text(f"asked {degrees(wish):+.1f}°", x, 98, NUMBER - 5, CALL)
+        panel.text(f"±{degrees(limit):.1f}°", panel.width - 12, 98, align=1)
+    else:
+        panel.text(f"asked {wish / limit:+.0%} {ASKS[law]}", x, 98, NUMBER - 5, CALL)
 
 
 def _at(share: float, radius: float, turned: float = 0.0) -> tuple[float, float]:

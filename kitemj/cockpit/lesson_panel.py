@@ -11,7 +11,7 @@ from kitemj.cockpit.panel import CALL, DIM, GOOD, INK, LEFT, NAME, RIGHT, TROUGH
 from kitemj.flight.course import Standing
 from kitemj.flight.crash import AGAIN, Touch
 
-HEIGHT, CARD_EDGE = 160, 18  # units
+HEIGHT, CARD_EDGE = 160, 14  # units
 GAP = 8  # units between things that lie above one another
 SIZES = (26, 24, 22, 20, 18)  # of the advice, the first that fits in two lines
 LEADING = 1.45  # of lines, in digit heights
@@ -81,28 +81,35 @@ def paint_touch(
     Returns where that is.
     """
     colour = GOOD if touch.gentle else CALL
-    inner = room.width - 2 * CARD_EDGE * unit
-    lines: list[tuple[str, float, Colour]] = []
-
-    def say(text: str, size: float, colour: Colour) -> None:
-        lines.extend((part, size, colour) for part in wrapped(text, inner, size * unit))
-
-    say(touch.damage, 30, colour)
-    if not touch.gentle:
-        say(touch.reason, 16, DIM)
-    say(f"The {touch.part} touched first", 18, WHITE)
-    say(touch.pace, 18, WHITE)
-    say(touch.place, 18, WHITE)
-    say(AGAIN, 20, CALL)
+    whole = unit
+    for share in (1.0, 0.9, 0.8, 0.7):  # the first that fits
+        unit = share * whole
+        lines = _card(touch, room.width / unit - 2 * CARD_EDGE, unit)
+        tall = sum(size * LEADING for _, size, _ in lines) + 2 * CARD_EDGE
+        if tall * unit <= room.height:
+            break
     wide = max(width(text, size * unit) for text, size, _ in lines) / unit + 2 * CARD_EDGE
-    tall = sum(size * LEADING for _, size, _ in lines) + 2 * CARD_EDGE
     corner = room.centerx - wide * unit / 2, room.centery - tall * unit / 2
     panel = Panel(surface, (*corner, wide, tall), unit)
     surface.fill(INK, panel.box)
     pygame.draw.rect(surface, colour, panel.box, max(round(3 * unit), 1))
     row = float(CARD_EDGE)
     for text, size, shade in lines:
-        row += size * LEADING / 2
-        panel.text(text, wide / 2, row, size, shade, 0.5)
-        row += size * LEADING / 2
+        panel.text(text, wide / 2, row + size * LEADING / 2, size, shade, 0.5)
+        row += size * LEADING
     return panel.box
+
+
+def _card(touch: Touch, inner: float, unit: float) -> list[tuple[str, float, Colour]]:
+    """Lines not wider than `inner` [units]: text, size [units], colour."""
+    said = [(touch.damage, 30.0, GOOD if touch.gentle else CALL)]
+    if not touch.gentle:
+        said.append((touch.reason, 16.0, DIM))
+    facts = (f"First the {touch.part}", touch.pace, touch.place)
+    said += [(fact, 18.0, WHITE) for fact in facts]
+    said.append((AGAIN, 20.0, CALL))
+    return [
+        (line, size, colour)
+        for text, size, colour in said
+        for line in wrapped(text, inner * unit, size * unit)
+    ]

@@ -66,6 +66,7 @@ def run(words: argparse.Namespace) -> int:
     from kitemj.cockpit.flight_process import FlightProcess
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.picture import Picture
+    from kitemj.cockpit.progress import write_progress
     from kitemj.cockpit.screens import display_found
 
     pixels, setup = size(words.size), _setup(words)
@@ -81,10 +82,12 @@ def run(words: argparse.Namespace) -> int:
     with Picture(parameters, *pixels) as picture:
         physics.wait()
         screen = _film(words, path, programme, parameters) if path else None
-        course = None if screen else _course(words, setup.scenario)
+        course = None if screen else _course(words)
         screen = screen or _window(setup.scenario, pixels, programme)
         screen.wishes.view = words.view
         print(fly(physics, picture, screen, duration, words.called, course))
+    if course:
+        print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
     if path:
         print(f"film         {path}")
     return 0
@@ -184,6 +187,14 @@ def _scenario(words: argparse.Namespace) -> "Scenario":
     return replace(scenario, parameters=scenario.parameters._replace(stick=stick))
 
 
-def _course(words: argparse.Namespace, scenario: "Scenario") -> "Course | None":
-    """The lessons that are not passed yet; they are written for the kite `sport`."""
-    return None
+def _course(words: argparse.Namespace) -> "Course | None":
+    """The lessons that are not passed yet, on the kite for which they are written."""
+    from kitemj.cockpit.progress import read_progress
+    from kitemj.flight.course import Course
+    from kitemj.physics.parameter_files import parameter_set
+
+    own = words.scenario or words.past or words.kite != "sport"
+    if words.no_lessons or own:
+        return None
+    course = Course(parameter_set("sport"), () if words.lessons else read_progress().passed)
+    return course if course.lesson else None

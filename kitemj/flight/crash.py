@@ -58,7 +58,7 @@ class Touch:
     def damage(self) -> str:
         """What broke, an estimate."""
         if self.gentle:
-            return "Landed, and nothing broke"
+            return "A soft landing"
         edge = "spine" if self.part in ("nose", "tail", "belly") else "leading edge"
         broken = next(what for limit, what in DAMAGES if self.hardness < limit)
         return broken.format(edge=edge)

@@ -1,0 +1,80 @@
+"""What a person asks for adds up to the wishes that the cockpit grants."""
+
+import pygame
+import pytest
+
+from kitemj.cockpit.actions import ACTIONS, HELP, KEYS, NAMES, RATES, TOGGLES, Wishes
+from kitemj.cockpit.pads import STANDARD
+from kitemj.cockpit.picture import INSTRUMENTS, VIEWS
+
+STEERING = {pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN}
+STEERING |= {pygame.K_w, pygame.K_a, pygame.K_s, pygame.K_d}
+
+
+def test_no_key_does_two_things():
+    keys = [key for action in ACTIONS for key in action.keys] + list(TOGGLES)
+    assert len(keys) == len(set(keys))
+    assert not STEERING & set(keys)
+
+
+def test_every_key_is_on_the_help_page():
+    page = " ".join(HELP)
+    for action in ACTIONS:
+        assert any(pygame.key.name(key).lower() in page.lower() for key in action.keys), action
+
+
+def test_pads_ask_for_what_there_is():
+    assert set(STANDARD.values()) <= NAMES
+
+
+def test_each_instrument_has_its_key():
+    assert [name.removeprefix("toggle ") for name in TOGGLES.values()] == list(INSTRUMENTS)
+    for key, name in zip(TOGGLES, INSTRUMENTS, strict=True):
+        wishes = Wishes()
+        wishes.ask([KEYS[key]])
+        assert wishes.shown == set(INSTRUMENTS) - {name}
+        wishes.ask([KEYS[key]])
+        assert wishes.shown == set(INSTRUMENTS)
+
+
+def test_all_instruments_or_none():
+    wishes = Wishes()
+    wishes.ask(["toggle knob", "instruments"])
+    assert wishes.shown == set()
+    wishes.ask(["instruments"])
+    assert wishes.shown == set(INSTRUMENTS)
+
+
+def test_rates_and_pause():
+    wishes = Wishes()
+    wishes.ask(["slower", "pause"])
+    assert wishes.rate == 0.0
+    wishes.ask(["pause"])
+    assert wishes.rate == 0.5
+    wishes.ask(["faster"] * 10)
+    assert wishes.rate == max(RATES)
+    wishes.ask(["slower"] * 10)
+    assert wishes.rate == min(RATES)
+
+
+def test_views_go_round():
+    wishes, seen = Wishes(), []
+    for _ in VIEWS:
+        seen.append(wishes.view)
+        wishes.ask(["view"])
+    assert tuple(seen) == VIEWS
+    assert wishes.view == VIEWS[0]
+
+
+def test_deeds_are_taken_once_in_their_order():
+    wishes = Wishes()
+    wishes.ask(["save", "rewind", "help", "restart"])
+    wishes.turn, wishes.zoom = (0.1, 0.2), 1.1
+    assert wishes.taken() == (["save", "rewind", "restart"], (0.1, 0.2), 1.1)
+    assert wishes.taken() == ([], (0.0, 0.0), 1.0)
+    assert wishes.help
+
+
+def test_an_unknown_action_is_an_error():
+    with pytest.raises(KeyError):
+        Wishes().ask(["fly to the moon"])
