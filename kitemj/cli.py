@@ -11,19 +11,38 @@ from kitemj.commands import (
     film,
     fly,
     info,
+    limits,
     pad,
+    plot,
     reach,
     realtime,
     replay,
     simulate,
     stability,
     sweep,
+    thesis,
     trim,
 )
 from kitemj.commands.words import Parser
 from kitemj.errors import FlightError, InputError, NoGraphics
 
-COMMANDS = (fly, simulate, compare, film, replay, info, trim, stability, sweep, pad, reach, realtime)
+COMMANDS = (
+    fly,
+    simulate,
+    compare,
+    film,
+    replay,
+    info,
+    plot,
+    limits,
+    trim,
+    stability,
+    sweep,
+    pad,
+    reach,
+    realtime,
+    thesis,
+)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -85,7 +85,7 @@ class Questions:
     """Asks for each control in turn; `rest` is the pad with nothing touched.
 
     `asked` is the question of the moment, None at the end. A control counts when it was held
-    for `HOLD`; the next one only when all have been let go.
+    for `HOLD`; the next one only when all have been let go, which `ready` says.
     """
 
     def __init__(self, rest: Reading) -> None:
@@ -94,7 +94,7 @@ class Questions:
         self._found: dict[str, Source] = {}
         self._first: Source | None = None  # of two buttons, the one found
         self._held: tuple[float, Source] | None = None
-        self._letting_go = True
+        self.ready = False
 
     @property
     def asked(self) -> Question | None:
@@ -113,15 +113,15 @@ class Questions:
             return ""
         source = moved(self._rest, now, question.button)
         if source is None:
-            self._held, self._letting_go = None, False
+            self._held, self.ready = None, True
             return ""
-        if self._letting_go:
+        if not self.ready:
             return ""
         if self._held is None or self._held[1] != source:
             self._held = (t, source)
         if t - self._held[0] < HOLD:
             return ""
-        self._held, self._letting_go = None, True
+        self._held, self.ready = None, False
         return self._take(question, source)
 
     def layout(self, name: str) -> Layout:

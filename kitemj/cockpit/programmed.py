@@ -15,7 +15,6 @@ from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.live import Command
 from kitemj.physics.checked import unknown_key
-from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
 
@@ -72,10 +71,6 @@ def show(parameters: Parameters) -> ProgrammedStick:
     """Right, left, a little right, centre: for a kite that only drifts."""
     ways = ((0.0, 0.0), (2.0, 1.0), (12.0, -1.0), (28.0, 0.4), (36.0, 0.0))
     return ProgrammedStick([Row(t, steer) for t, steer in ways], parameters, period=40.0)
-
-
-SHOW = show(parameter_set("sport"))
-"""The show with a kite that is not mirrored."""
 
 
 def read_programmed_stick(path: Path, parameters: Parameters) -> ProgrammedStick:

@@ -75,7 +75,7 @@ class Window:
         pygame.display.set_mode(self._size, RESIZABLE)
         pygame.display.set_caption(title)
         self._person, self.stick, self.wishes = person, stick or person, Wishes()
-        self._full = False
+        self._windowed: tuple[int, int] | None = None  # its size before it was full
 
     @property
     def message(self) -> str:
@@ -101,13 +101,20 @@ class Window:
         """What is the window's or the stick's is done here."""
         for name in names:
             if name == "full screen":
-                self._full = not self._full
-                size, how = ((0, 0), pygame.FULLSCREEN) if self._full else (self._size, RESIZABLE)
-                pygame.display.set_mode(size, how)
+                self._change_fullness()
             elif name in ("law", "two sticks"):
                 self._person.change(name)
             else:
                 self.wishes.ask([name])
+
+    def _change_fullness(self) -> None:
+        if self._windowed is None:
+            self._windowed = pygame.display.get_window_size()
+            pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
+            return
+        pygame.display.set_mode(self._windowed)  # window managers keep the large size of one
+        pygame.display.set_mode(self._windowed, RESIZABLE)  # that may have any
+        self._windowed = None
 
     def show(self, frame: Frame, wall: float) -> None:
         """Puts the frame on the screen, as large as the window allows, its shape kept."""

@@ -33,7 +33,7 @@ def run(words: argparse.Namespace) -> int:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-    from kitemj.thesis.report import WRITERS, write_report
+    from kitemj.thesis import report
 
     columns = (
         MofNCompleteColumn(),
@@ -42,11 +42,11 @@ def run(words: argparse.Namespace) -> int:
         TextColumn("{task.description}"),
     )
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task("", total=len(WRITERS))
+        task = progress.add_task("", total=len(report.WRITERS))
 
         def tell(name: str, done: int) -> None:
             progress.update(task, description=name, completed=done)
 
-        sections = write_report(words.output, words.overwrite, tell=tell)
+        sections = report.write_report(words.output, words.overwrite, report.WRITERS, tell)
     print(f"{words.output / 'index.html'}: {len(sections)} sections")
     return 0

@@ -15,8 +15,8 @@ from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import AERO_LAWS, SECTIONS, parameter_set
 from kitemj.physics.parameters import Parameters
 
-FORMAT = 1
-"""Rises when an older kitemj could no longer read what is written."""
+FORMAT = 2
+"""Rises when an older kitemj could no longer read what is written, or the other way round."""
 
 PACKAGES = ("kitemj", "mujoco", "numba", "llvmlite", "numpy", "ruckig")
 """What the bits of a flight may depend on."""
@@ -99,6 +99,11 @@ def from_json(text: bytes, source: str) -> Header:
         raise InputError(
             f"{source} has format {written_in} (kitemj {theirs}), this kitemj {version('kitemj')} "
             f"reads up to {FORMAT}: upgrade kitemj"
+        )
+    if written_in < FORMAT:
+        raise InputError(
+            f"{source} has format {written_in}, of an earlier kitemj; this one reads format "
+            f"{FORMAT}: film or export it with the kitemj that recorded it"
         )
     try:
         return Header(**tables)

@@ -1,4 +1,9 @@
-"""What a section of the report is made of: sentences, figures, tables, answers."""
+"""What a section of the report is made of: sentences, figures, tables, answers.
+
+A section is a module with `ANSWERS`, which figures and tables of the thesis it answers (at
+its top, so that the list of all can be checked without computing anything), and the function
+`section`, whose result has the same `answers`.
+"""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -23,11 +28,14 @@ class Answer(NamedTuple):
     """One row of the list at the end: `item` as the thesis names it ("Figure 33", "Table 3").
 
     `because` is empty only where the verdict is REPRODUCED and nothing is to be added.
+    `shown` names the drawing or table of the section that shows it, and is empty only where
+    the verdict is NOT_APPLICABLE.
     """
 
     item: str
     verdict: Verdict
     because: str = ""
+    shown: str = ""
 
 
 class Drawing(NamedTuple):
@@ -64,7 +72,13 @@ class Section(NamedTuple):
 
 
 class Writer(Protocol):
-    """Makes a section; `scratch` is a folder for files that pass through it."""
+    """A module that is a section; `scratch` is a folder for files that pass through it."""
 
-    def __call__(self, scratch: Path) -> Section:
+    __name__: str
+
+    @property
+    def ANSWERS(self) -> Sequence[Answer]:
+        """What of the thesis it answers."""
+
+    def section(self, scratch: Path) -> Section:
         """Computes everything anew."""

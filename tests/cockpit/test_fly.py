@@ -8,14 +8,16 @@ from kitemj.cockpit.fly import fly
 from kitemj.cockpit.history import History
 from kitemj.cockpit.pacing import Pacer
 from kitemj.cockpit.picture import Picture, Readings
-from kitemj.cockpit.programmed import show
+from kitemj.cockpit.programmed import ProgrammedStick, Row, show
 from kitemj.cockpit.screens import FilmScreen, Window, display_found
 from kitemj.cockpit.settings import Settings
 from kitemj.cockpit.stick import PersonStick
 from kitemj.dynamics.motion import attachment_E
 from kitemj.flight.live import LiveFlight
 from kitemj.flight.scenario import scenario_of
+from kitemj.recording.file import read_recording
 from tests.cockpit.virtual_pad import VirtualPad
+from tests.recording.flights import recorder_of
 
 SIZE = (640, 360)
 QUICK = {"delta": 0.4, "delta_dot": 0.5, "delta_ddot": 2.0, "mirrored": False}
@@ -122,3 +124,53 @@ def test_interrupt_leaves_a_complete_film(tmp_path, picture):
     assert summary.flown > 0
     with av.open(str(path)) as film:
         assert sum(1 for _ in film.decode(video=0)) >= 10
+
+
+def press(key):
+    pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=key))
+
+
+def test_full_screen_and_back_while_flying(window, picture):
+    sizes = []
+    doings = [
+        (0.1, lambda: press(pygame.K_F11)),
+        (0.5, lambda: sizes.append(pygame.display.get_window_size())),
+        (0.6, lambda: press(pygame.K_F11)),
+        (1.0, lambda: sizes.append(pygame.display.get_window_size())),
+    ]
+    summary = fly(paced(), picture, Script(window, doings), duration=1.3)
+    assert sizes[1] == SIZE
+    assert summary.flown + summary.times.lost > 1.2
+
+
+def test_closed_by_the_window_manager_is_leaving(window, picture, tmp_path):
+    quit_event = pygame.event.Event(pygame.QUIT)
+    flight = LiveFlight(SCENARIO)
+    recorder = recorder_of(flight, tmp_path / "x.arrows")
+    physics = Pacer(flight, History(flight.parameters), recorder)
+    script = Script(window, [(0.4, lambda: pygame.event.post(quit_event))])
+    summary = fly(physics, picture, script, duration=20.0)
+    assert summary.wall < 10.0
+    assert read_recording(tmp_path / "x.arrows").ending == "left by the pilot"
+
+
+def test_a_kite_on_the_ground_waits_until_somebody_starts_again(window):
+    """Full left for 6 s flies the sport kite into the ground, here at four times the speed."""
+    scenario = scenario_of({"set": "sport", "duration": 60.0}, "test")
+    flight, seen = LiveFlight(scenario), []
+    flight.warm_up()
+    physics = Pacer(flight, History(flight.parameters))
+    window.wishes.rate = 4.0
+    window.stick = ProgrammedStick([Row(0.0, steer=-1.0)], scenario.parameters)
+
+    def look():
+        seen.append((physics.touch, physics.moment.motion.t))
+
+    doings = [(2.2, look), (2.5, look), (2.6, lambda: press(pygame.K_r)), (3.0, look)]
+    with Picture(scenario.parameters, *SIZE) as picture:
+        fly(physics, picture, Script(window, doings), duration=3.2)
+    assert seen[0][0] is not None
+    assert not seen[0][0].gentle
+    assert seen[0] == seen[1]
+    assert seen[2][0] is None
+    assert seen[2][1] < seen[0][1]

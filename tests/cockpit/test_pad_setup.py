@@ -14,10 +14,10 @@ from kitemj.cli import main
 from kitemj.cockpit import pad_setup
 from kitemj.cockpit.layout import Layout, Source
 from kitemj.cockpit.pad_setup import HOLD, QUESTIONS, Questions, Reading, moved
+from kitemj.cockpit.pad_terminal import ask, said
 from kitemj.cockpit.pads import events
 from kitemj.cockpit.settings import read_settings, write_layout
 from kitemj.cockpit.stick import PersonStick
-from kitemj.commands.pad import ask, said
 from kitemj.errors import InputError
 from kitemj.physics.parameter_files import parameter_set
 from tests.cockpit.virtual_pad import OddPad, VirtualPad
@@ -153,6 +153,13 @@ def bench(monkeypatch):
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     monkeypatch.setenv("SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS", "1")
     monkeypatch.setattr(pad_setup, "HOLD", 0.05)
+    looks, sleep = itertools.count(), time.sleep
+
+    def patient(seconds):
+        assert next(looks) < 1000, "the questions do not end"
+        sleep(seconds)
+
+    monkeypatch.setattr(time, "sleep", patient)
     pygame.display.init()
     pygame.joystick.init()
     yield
@@ -255,6 +262,7 @@ def test_the_command_writes_a_layout_that_flies(bench, tmp_path, monkeypatch, ke
     pygame.display.init()
     pygame.display.set_mode((200, 100))
     person = PersonStick(settings, parameter_set("sport"))
+    pad = OddPad()  # the command has let go of SDL, and SDL of the other
     pad.axis(3, -1.0)
     pad.button(6, True)
     actions = [name for event in events() for name in person.handle(event)]

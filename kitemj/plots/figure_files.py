@@ -1,0 +1,56 @@
+"""Figures as files: one a picture, or all as pages of one PDF; all of them or none."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kitemj.errors import InputError
+from kitemj.flight.output import check_new, new_file
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+FORMATS = (".png", ".pdf", ".svg")
+SHARPNESS = 200
+"""dots per inch of a PNG."""
+
+
+def check_figures(path: Path, names: Sequence[str], overwrite: bool) -> list[Path]:
+    """The files that figures of these `names` go to; InputError where one cannot be written.
+
+    A PDF has a page for each; of several pictures each is called by its name, flight-state.png.
+    """
+    if path.suffix.lower() not in FORMATS:
+        raise InputError(
+            f"{path.name} must end in one of {', '.join(FORMATS)} to say which kind of figure it is"
+        )
+    together = len(names) == 1 or path.suffix.lower() == ".pdf"
+    paths = [path] if together else [path.with_stem(f"{path.stem}-{name}") for name in names]
+    for each in paths:
+        check_new(each, overwrite)
+    return paths
+
+
+def save_figures(figures: Mapping[str, Figure], path: Path, overwrite: bool = False) -> list[Path]:
+    """Writes `figures` (by name) to the files that `check_figures` tells, and returns these."""
+    paths = check_figures(path, list(figures), overwrite)
+    kind = path.suffix[1:].lower()
+    with ExitStack() as stack:
+        parts = [stack.enter_context(new_file(each, overwrite)) for each in paths]
+        if kind == "pdf":
+            _save_pages(list(figures.values()), parts[0])
+        else:
+            for figure, part in zip(figures.values(), parts, strict=True):
+                figure.savefig(part, format=kind, dpi=SHARPNESS)
+    return paths
+
+
+def _save_pages(figures: Sequence[Figure], path: Path) -> None:
+    from matplotlib.backends.backend_pdf import PdfPages
+
+    with PdfPages(path) as pages:
+        for figure in figures:
+            pages.savefig(figure)

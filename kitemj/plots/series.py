@@ -1,0 +1,136 @@
+"""Figures over time: the state, its rates, tensions, angles of the air, steering."""
+
+from __future__ import annotations
+
+from math import degrees
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kitemj.errors import InputError
+from kitemj.physics.steering import rest_ell
+from kitemj.plots.flown import Array, Flown
+from kitemj.plots.rates import q_dot
+from kitemj.plots.sheet import (
+    MINUS,
+    PLUS,
+    Look,
+    closer,
+    curve,
+    legend,
+    name_axis,
+    show_limits,
+    time_sheet,
+)
+from kitemj.recording.table import STICK
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+STATE = ("phi_rad", "gamma_rad", "eta_rad", "theta_rad")
+SYMBOLS = (r"\varphi", r"\gamma", r"\eta", r"\theta")
+LENGTHS = ("length_plus_m", "length_minus_m")
+TENSIONS = ("tension_plus_N", "tension_minus_N")
+ASKED = Look("asked for by the stick", "#A05A00", (0, (1.2, 1.2)), 1.8)
+FLOWN = Look("flown")
+TALL = 7.5  # inches, of four diagrams
+
+
+def state_figure(flown: Flown) -> Figure:
+    """φ, γ, η, θ [deg], free of jumps by a whole turn."""
+    q = np.degrees(np.unwrap(flown.matrix(STATE, "the state"), axis=0))
+    figure, axes = time_sheet(flown, f"State: {flown.name}", 4, TALL)
+    for ax, column, symbol in zip(axes, q.T, SYMBOLS, strict=True):
+        curve(ax, flown, column, Look(symbol))
+        name_axis(ax, f"${symbol}$", "deg")
+    return figure
+
+
+def rates_figure(flown: Flown) -> Figure:
+    """φ̇, γ̇, η̇, θ̇ [deg/s], from the body's own rates and velocity: nothing is differenced."""
+    rates = np.degrees(q_dot(flown))
+    figure, axes = time_sheet(flown, f"Rates of the state: {flown.name}", 4, TALL)
+    for ax, column, symbol in zip(axes, rates.T, SYMBOLS, strict=True):
+        curve(ax, flown, column, Look(symbol))
+        name_axis(ax, rf"$\dot{{{symbol}}}$", "deg/s")
+    return figure
+
+
+def tensions_figure(flown: Flown) -> Figure:
+    """Both lines [N] between slack and their ceiling, and closer."""
+    pulls = flown.matrix(TENSIONS, "the tensions").T
+    ceiling = flown.parameters.limits.tension_max
+    figure, axes = time_sheet(flown, f"Line tensions: {flown.name}", 2, 6.0)
+    for ax in axes:
+        for pull, look in zip(pulls, (PLUS, MINUS), strict=True):
+            curve(ax, flown, pull, look)
+        name_axis(ax, "tension", "N")
+    legend(axes[0])
+    show_limits(axes[0], (0.0, ceiling), ("slack", f"ceiling {ceiling:g} N"))
+    closer(axes[1], flown)
+    return figure
+
+
+def angles_figure(flown: Flown) -> Figure:
+    """α and β [deg] between their limits, and closer."""
+    alpha, beta = flown.matrix(("alpha_deg", "beta_deg"), "the angles").T
+    limits = flown.parameters.limits
+    stall, largest = degrees(limits.alpha_stall), degrees(limits.beta_max)
+    figure, axes = time_sheet(flown, f"Angles of the air: {flown.name}", 4, TALL)
+    for ax, angle, symbol in zip(axes, (alpha, alpha, beta, beta), "ααββ", strict=True):
+        curve(ax, flown, angle, Look(symbol))
+        name_axis(ax, symbol, "deg")
+    show_limits(axes[0], (0.0, stall), ("0", f"α_stall {stall:g}°"))
+    show_limits(axes[2], (-largest, largest), ("−β_max", f"β_max {largest:g}°"))
+    closer(axes[1], flown)
+    closer(axes[3], flown)
+    return figure
+
+
+def steering_figure(flown: Flown) -> Figure:
+    """δ [deg] and ℓ [m] that were flown (and asked for, where a stick was), both lengths [m]."""
+    lengths = flown.matrix(LENGTHS, "the steering").T
+    ell, delta = ell_and_delta(flown)
+    figure, axes = time_sheet(flown, f"Steering: {flown.name}", 3, 6.5)
+    wish = _asked(flown)
+    for ax, column, asked in zip(axes, (np.degrees(delta), ell), wish, strict=False):
+        if asked is not None:
+            curve(ax, flown, asked, ASKED)
+        curve(ax, flown, column, FLOWN)
+    name_axis(axes[0], "δ", "deg")
+    name_axis(axes[1], "ℓ", "m")
+    if any(asked is not None for asked in wish):
+        legend(axes[0])
+    for column, look in zip(lengths, (PLUS, MINUS), strict=True):
+        curve(axes[2], flown, column, look)
+    name_axis(axes[2], "length", "m")
+    legend(axes[2])
+    for ax in axes:
+        ax.ticklabel_format(axis="y", useOffset=False)
+    return figure
+
+
+def ell_and_delta(flown: Flown) -> tuple[Array, Array]:
+    """ℓ [m] and δ [rad] at each row, of the lengths of the lines; `steering.ell_delta` for many.
+
+    Raises InputError where lengths lack, or no triangle has such sides.
+    """
+    plus, minus = flown.matrix(LENGTHS, "the steering").T
+    y_A = flown.parameters.kite.y_A
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ell = np.sqrt((plus**2 + minus**2 - 2 * y_A**2) / 2)
+        sine = (plus**2 - minus**2) / (4 * ell * y_A)
+    if not np.all(np.abs(sine) <= 1.0):
+        raise InputError(f"the lines of {flown.name} do not reach attachments {2 * y_A} m apart")
+    return ell, np.arcsin(sine)
+
+
+def _asked(flown: Flown) -> tuple[Array | None, Array | None]:
+    """δ [deg] and ℓ [m] that the stick asked for; None: no stick, or one that asked for rates."""
+    if not set(STICK) <= set(flown.columns):
+        return None, None
+    delta, ell, law = flown.matrix(STICK, "the stick").T
+    kite, lines, stick = flown.parameters.kite, flown.parameters.lines, flown.parameters.stick
+    wish = rest_ell(lines.length, kite.y_A) + ell * stick.ell
+    angle = np.where(law == 0, degrees(stick.delta) * delta, np.nan)
+    return (angle if np.isfinite(angle).any() else None), wish

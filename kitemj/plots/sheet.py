@@ -1,0 +1,206 @@
+"""The paper that figures are drawn on: as wide as the text of an A4 page, readable in grey.
+
+What a colour tells, a kind of line tells as well; no lettering is below 8 pt. Red is the
+pilot's left, A₊, and blue the right, A₋, as on the kite.
+"""
+
+from __future__ import annotations
+
+from textwrap import fill
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from kitemj.plots.flown import Array, Flown
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+WIDTH = 7.0
+"""inches; an A4 page less its margins."""
+LETTERING, SMALL = 9.0, 8.0  # pt
+LINE = 105  # letters of the small kind, across
+
+LEFT, RIGHT = "#D0101A", "#1A3DF2"
+AFTER, BEYOND = "0.94", "0.82"
+"""Greys: after the flight was first beyond a limit of validity, and while it is beyond one."""
+
+MOST_OUTSIDE = 1.5
+"""How far beyond a limit is shown, parts of what lies between both limits."""
+
+
+class Look(NamedTuple):
+    """How a curve looks: its name in the legend, colour, and matplotlib's kind of line."""
+
+    label: str
+    color: str = "black"
+    linestyle: Any = "-"
+    linewidth: float = 1.3
+
+
+PLUS = Look("left, A₊", LEFT)
+MINUS = Look("right, A₋", RIGHT, (0, (5, 2)))
+LEFT_WING = Look("left wing, A₊", LEFT, "-", 3.2)
+RIGHT_WING = Look("right wing, A₋", RIGHT, "-", 1.4)
+
+
+def sheet(title: str, height: float) -> Figure:
+    """An empty figure of `height` [inches], with no screen behind it."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    figure.suptitle(title, fontsize=LETTERING + 1)
+    return figure
+
+
+def time_sheet(flown: Flown, title: str, rows: int, height: float) -> tuple[Figure, list[Axes]]:
+    """Diagrams over the time of `flown`, one above the other; grey where it is beyond limits."""
+    figure = sheet(title, height)
+    axes: list[Axes] = list(figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0])
+    t = flown.t
+    for ax in axes:
+        plain(ax)
+        _shade(ax, flown)
+    axes[0].set_xlim(t[0], t[-1] if t[-1] > t[0] else t[0] + 1.0)
+    axes[-1].set_xlabel("time [s]", fontsize=LETTERING)
+    figure.align_ylabels(axes)
+    name_greys(figure, flown)
+    return figure, axes
+
+
+def plain(ax: Axes) -> None:
+    """A quiet grid and small numbers."""
+    ax.grid(color="0.9", linewidth=0.6)
+    ax.set_axisbelow(True)
+    ax.tick_params(labelsize=SMALL)
+
+
+def name_axis(ax: Axes, quantity: str, unit: str) -> None:
+    """The vertical axis."""
+    ax.set_ylabel(f"{quantity} [{unit}]", fontsize=LETTERING)
+
+
+def curve(ax: Axes, flown: Flown, values: Array, look: Look) -> None:
+    """`values` (rows,) over time. What follows a touch of the ground does not set the scale."""
+    from matplotlib.lines import Line2D
+
+    t, down = flown.t, flown.down
+    ax.plot(t[:down], values[:down], **look._asdict())
+    if down < len(t):
+        rest = slice(max(down - 1, 0), None)
+        ax.add_artist(Line2D(t[rest], values[rest], **look._replace(label="_")._asdict()))
+
+
+def limit_line(ax: Axes, value: float, label: str, below: bool = False) -> None:
+    """A horizontal line that names itself, above or `below` it at the left."""
+    ax.axhline(value, color="black", linewidth=0.9, linestyle=(0, (8, 3)))
+    ax.annotate(
+        label,
+        (0.0, value),
+        (3, -2 if below else 2),
+        xycoords=("axes fraction", "data"),
+        textcoords="offset points",
+        fontsize=SMALL,
+        va="top" if below else "bottom",
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
+    )
+
+
+def show_limits(ax: Axes, limits: tuple[float, float], labels: tuple[str, str]) -> None:
+    """Both lines, hatched outside them, and room for that; a curve far outside leaves the axes."""
+    low, high = limits
+    span = high - low
+    bottom, top = ax.dataLim.y0, ax.dataLim.y1
+    bottom = max(min(low - 0.15 * span, bottom - 0.05 * span), low - MOST_OUTSIDE * span)
+    top = min(max(high + 0.15 * span, top + 0.05 * span), high + MOST_OUTSIDE * span)
+    ax.set_ylim(bottom, top)
+    for start, end in ((bottom, low), (high, top)):
+        ax.axhspan(start, end, facecolor="none", edgecolor="0.75", hatch="////", linewidth=0)
+    limit_line(ax, low, labels[0], below=True)
+    limit_line(ax, high, labels[1])
+
+
+def closer(ax: Axes, flown: Flown) -> None:
+    """Scales a diagram to its curves where they are within all limits, and says so."""
+    t, beyond = flown.t, flown.any_beyond
+    shown = [
+        np.asarray(line.get_ydata(), np.float64)[~beyond[: flown.down]]
+        for line in ax.get_lines()
+        if len(np.asarray(line.get_xdata())) == len(t[: flown.down])
+    ]
+    values = np.concatenate(shown)
+    if len(values) and np.ptp(values) > 0.0:
+        low, high = float(np.nanmin(values)), float(np.nanmax(values))
+        room = 0.05 * (high - low)
+        ax.set_ylim(low - room, high + room)
+    ax.set_title("the same, closer", fontsize=SMALL, loc="left", pad=2)
+
+
+def legend(ax: Axes, columns: int = 4) -> None:
+    """The legend of one diagram, above it, so that it hides nothing."""
+    ax.legend(
+        loc="lower right",
+        bbox_to_anchor=(1.0, 1.0),
+        ncols=columns,
+        frameon=False,
+        fontsize=SMALL,
+        borderaxespad=0.1,
+    )
+
+
+def name_greys(figure: Figure, flown: Flown) -> None:
+    """Under the figure: what the greys mean, from when on and why."""
+    from matplotlib.patches import Patch
+
+    departure = flown.departure
+    if departure:
+        greys = {
+            BEYOND: f"beyond the limits of validity; first at {departure}",
+            AFTER: "after that, not vouched for",
+        }
+        foot(figure, [Patch(fc=grey, ec="0.35", label=text) for grey, text in greys.items()])
+
+
+def parts_of_way(flown: Flown) -> list[tuple[slice, Look]]:
+    """The rows of a way within all limits, and those after; how each is drawn."""
+    within, after = flown.parts
+    departure = flown.departure
+    ways = [(within, Look("path of G"))]
+    if departure:
+        label = f"path after it was first beyond the limits of validity, at {departure}"
+        ways.append((after, Look(label, "0.45", (0, (1.2, 1.2)))))
+    return ways
+
+
+def foot(figure: Figure, handles: list[Any]) -> None:
+    """A legend under the figure; long lines are broken."""
+    for handle in handles:
+        handle.set_label(fill(str(handle.get_label()), LINE))
+    figure.legend(handles=handles, loc="outside lower left", fontsize=SMALL, frameon=False)
+
+
+def runs(flags: np.ndarray[Any, np.dtype[np.bool_]]) -> list[slice]:
+    """Where `flags` (rows,) are set: each run of rows."""
+    edges = np.flatnonzero(np.diff(flags, prepend=False, append=False)).tolist()
+    return [slice(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+
+
+def _shade(ax: Axes, flown: Flown) -> None:
+    departure, t = flown.departure, flown.t
+    if departure is None:
+        return
+    ax.axvspan(departure.t, float(t[-1]), color=AFTER, linewidth=0, zorder=0.3)
+    last = len(t) - 1
+    spans = [
+        (t[run.start], t[min(run.stop, last)] - t[run.start]) for run in runs(flown.any_beyond)
+    ]
+    ax.broken_barh(
+        spans,
+        (0.0, 1.0),
+        transform=ax.get_xaxis_transform(),
+        facecolor=BEYOND,
+        edgecolor=BEYOND,
+        linewidth=0.5,
+        zorder=0.4,
+    )

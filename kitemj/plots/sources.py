@@ -1,0 +1,101 @@
+"""A flight out of any file that holds one: a recording, a scenario (simulated), a table."""
+
+from dataclasses import replace
+from math import ceil
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from kitemj.errors import InputError
+from kitemj.flight.scenario import Scenario, read_scenario
+from kitemj.flight.simulate import simulate
+from kitemj.flight.validity import Ending
+from kitemj.physics.parameter_files import parameter_set
+from kitemj.plots.flown import Flown, flown_flight, flown_recording
+from kitemj.plots.table_files import TABLES, legs_of, read_columns
+from kitemj.plots.which_kite import DEFAULT, kite_of_table
+from kitemj.recording.file import read_recording
+from kitemj.recording.recorder import SUFFIX
+
+SCENARIO = ".toml"
+KINDS = f"a recording (*{SUFFIX}), a scenario (*{SCENARIO}) or a table (*.csv, *.parquet)"
+ROWS = 1000
+"""Of a scenario, at least: so many that the straight lines between them do not show."""
+
+
+class Found(NamedTuple):
+    """A flight, and sentences on what was chosen in the person's stead."""
+
+    flown: Flown
+    notes: list[str]
+
+
+def read_flown(path: Path, model: str = "", leg: int = 0, kite: str = "") -> Found:
+    """The flight in `path`.
+
+    `model` flies a scenario (lagrange unless given); `leg` (from 1; 0: the longest) is one of
+    a recording or its table; `kite`, a set or a scenario's file, that of a table. Raises
+    InputError for a file that holds no flight and for a choice that means nothing with it.
+    """
+    if not path.is_file():
+        what = "is a folder" if path.is_dir() else "does not exist"
+        raise InputError(f"{path} {what}; give {KINDS}")
+    kind = path.suffix.lower()
+    if model and kind != SCENARIO:
+        raise InputError(f"--model is for a scenario; what {path.name} holds is flown already")
+    if leg and kind == SCENARIO:
+        raise InputError(
+            f"--leg is for a recording; {path.name} is a scenario, which is one flight"
+        )
+    if kite and kind not in TABLES:
+        raise InputError(f"--kite is for a table; {path.name} says itself which kite flew")
+    if kind == SCENARIO:
+        return _simulated(read_scenario(path), model or "lagrange")
+    return _tabled(path, leg, kite) if kind in TABLES else _recorded(path, leg)
+
+
+def _simulated(scenario: Scenario, model: str) -> Found:
+    """Rows of the scenario's own interval, or of a whole part of it."""
+    interval, duration = scenario.times.output_interval, scenario.times.duration
+    parts = max(1, ceil(ROWS * interval / duration))
+    finer = replace(scenario, times=scenario.times._replace(output_interval=interval / parts))
+    flight = simulate(finer, model)
+    if not flight.motions:
+        raise InputError(f"{scenario.source} could not be flown: {flight.note}")
+    early = flight.ending is not Ending.FINISHED
+    notes = [flight.note or f"the flight ended early: {flight.ending.value}"] if early else []
+    return Found(flown_flight(flight), notes)
+
+
+def _recorded(path: Path, leg: int) -> Found:
+    recording = read_recording(path)
+    chosen, notes = _leg(path, recording.legs, leg)
+    return Found(flown_recording(recording, chosen), notes)
+
+
+def _tabled(path: Path, leg: int, kite: str) -> Found:
+    columns = read_columns(path)
+    legs = legs_of(columns)
+    chosen, notes = _leg(path, legs, leg)
+    rows = {name: column[legs[chosen]] for name, column in columns.items()}
+    table = Flown(path.name, parameter_set(DEFAULT), rows)
+    if np.any(np.diff(table.t) <= 0.0):
+        raise InputError(f"{path} holds no flight: its column t_s must rise from row to row")
+    name, parameters = kite_of_table(table, kite)
+    if not kite:
+        notes.append(f"{path.name} does not say which kite flew it; its lines fit the set {name}")
+    number = f", flight {chosen + 1} of {len(legs)}" if len(legs) > 1 else ""
+    return Found(Flown(f"{path.name}, {Path(name).name}{number}", parameters, rows), notes)
+
+
+def _leg(path: Path, legs: list[slice], asked: int) -> tuple[int, list[str]]:
+    """Which flight (from 0), and what is to be said of the choice."""
+    if not 0 <= asked <= len(legs):
+        raise InputError(f"--leg must be 1 to {len(legs)} for {path.name}, got {asked}")
+    if asked or len(legs) == 1:
+        return max(0, asked - 1), []
+    longest = max(range(len(legs)), key=lambda i: legs[i].stop - legs[i].start)
+    return longest, [
+        f"{path.name} holds {len(legs)} flights; drawn is the longest, --leg {longest + 1}"
+    ]

@@ -1,0 +1,162 @@
+"""What is drawn is what was flown: numbers read back from the figures; units, lettering, lines."""
+
+import re
+from math import sin
+
+import numpy as np
+import pytest
+from matplotlib.text import Text
+
+from kitemj.dynamics.lagrange_kite import motion_at
+from kitemj.plots.figures import FIGURES
+from kitemj.plots.flown import flown_flight, flown_motions
+from kitemj.plots.limits import limits_figure
+from kitemj.plots.rates import q_dot
+from kitemj.plots.window import bearing
+from tests.plots.flights import TABLES, by_hand, flight
+from tests.support import random_cases
+
+RATES = 1e-12
+"""rad/s; a few roundings of rates of some rad/s."""
+STEERING = 1e-9
+"""rad and m; δ comes back out of lengths of 25 m that differ by their last digits."""
+ONE_SCALE = 1e-9
+"""Of the scale of each axis of the path."""
+DRAWN = {**FIGURES, "limits": limits_figure}
+UNIT = re.compile(r"\[(s|m|N|deg|deg/s|-)\]$")
+SMALLEST = 8.0  # pt
+
+
+@pytest.fixture(scope="module")
+def flown():
+    return flown_flight(flight())
+
+
+@pytest.fixture(scope="module")
+def motions():
+    return flight().motions
+
+
+def curves(figure, ax):
+    """The vertical numbers of the curves of one diagram, lines across it left out."""
+    lines = figure.axes[ax].get_lines()
+    return [line.get_ydata() for line in lines if len(line.get_xdata()) > 2]
+
+
+def test_rates_are_those_of_the_state():
+    for case in random_cases(30):
+        motion = motion_at(case.parameters, case.segment, 0.0, case.state)
+        found = q_dot(flown_motions("test", case.parameters, [motion]))
+        assert np.allclose(found[0], case.state.q_dot, rtol=0, atol=RATES)
+
+
+def test_state_and_rates(flown, motions):
+    for name, expected in (("state", [m.q for m in motions]), ("rates", q_dot(flown))):
+        figure = FIGURES[name](flown)
+        for ax, column in enumerate(np.degrees(expected).T):
+            (drawn,) = curves(figure, ax)
+            assert np.array_equal(drawn, column)
+
+
+def test_the_state_does_not_jump_by_whole_turns(flown):
+    turned = (flown.columns["phi_rad"] + 40.0 * flown.t + np.pi) % (2 * np.pi) - np.pi
+    figure = FIGURES["state"](flown._replace(columns={**flown.columns, "phi_rad": turned}))
+    (drawn,) = curves(figure, 0)
+    assert np.ptp(turned) < 2 * np.pi
+    assert np.ptp(np.radians(drawn)) > 79.0
+
+
+def test_tensions_left_and_right(flown, motions):
+    figure = FIGURES["tensions"](flown)
+    for ax in (0, 1):
+        left, right = figure.axes[ax].get_lines()[:2]
+        assert np.array_equal(left.get_ydata(), [m.tensions.plus for m in motions])
+        assert np.array_equal(right.get_ydata(), [m.tensions.minus for m in motions])
+        assert left.get_linestyle() != right.get_linestyle()
+    assert [line.get_ydata()[0] for line in figure.axes[0].get_lines()[2:]] == [0.0, 700.0]
+
+
+def test_angles(flown, motions):
+    figure = FIGURES["angles"](flown)
+    alpha, beta, _ = np.degrees([m.air for m in motions]).T
+    for ax, expected in enumerate((alpha, alpha, beta, beta)):
+        assert np.array_equal(curves(figure, ax)[0], expected)
+
+
+def test_steering_is_that_of_the_programme(flown):
+    figure = FIGURES["steering"](flown)
+    (delta,), (ell,) = curves(figure, 0), curves(figure, 1)
+    amplitude, omega = (TABLES["steering"][f"delta_{name}"] for name in ("amplitude", "frequency"))
+    expected = [amplitude * sin(omega * t) for t in flown.t]
+    assert np.allclose(np.radians(delta), expected, rtol=0, atol=STEERING)
+    assert np.allclose(ell, ell[0], rtol=0, atol=STEERING)
+    assert np.array_equal(curves(figure, 2)[0], flown.columns["length_plus_m"])
+
+
+def test_path_is_upright_and_not_mirrored(flown, motions):
+    (ax,) = FIGURES["path"](flown).axes
+    path = np.array(ax.get_lines()[0].get_data_3d()).T
+    expected = [(p.x, -p.y, -p.z) for p in (m.body.p_G_E for m in motions)]
+    assert np.array_equal(path, expected)
+    assert path[:, 2].min() > 0.0
+    sides = np.ptp([ax.get_xlim(), ax.get_ylim(), ax.get_zlim()], axis=1)
+    scale = ax.get_box_aspect() / sides
+    assert np.allclose(scale, scale[0], rtol=ONE_SCALE)
+
+
+def test_lines_end_at_the_attachments(flown, motions):
+    (ax,) = FIGURES["path"](flown).axes
+    ends = [np.array(line.get_data_3d()).T for line in ax.get_lines()]
+    first = [e[1] for e in ends if len(e) == 2 and not e[0].any()][:2]
+    assert np.allclose(np.linalg.norm(first, axis=1), motions[0].lengths, rtol=0, atol=STEERING)
+
+
+def test_window_is_seen_by_the_pilot():
+    flown = by_hand()
+    ahead, left, above = bearing(flown, np.array([[-1, 0, -1], [-1, 1, 0], [-1e-9, 0, -5]]))
+    assert ahead == pytest.approx((0.0, 45.0))
+    assert left == pytest.approx((-45.0, 0.0))
+    assert above[1] == pytest.approx(90.0)
+    wind = flown.parameters.wind._replace(azimuth=0.5)
+    turned = flown._replace(parameters=flown.parameters._replace(wind=wind))
+    downwind = np.array([[-np.cos(0.5), -np.sin(0.5), 0.0]])
+    assert bearing(turned, downwind)[0] == pytest.approx((0.0, 0.0))
+
+
+def test_window_draws_the_bearings(flown):
+    p = np.column_stack([flown.columns[f"{axis}_E_m"] for axis in "xyz"])
+    for ax in FIGURES["window"](flown).axes:
+        assert np.array_equal(np.transpose(ax.get_lines()[0].get_data()), bearing(flown, p))
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_units_and_lettering(name, flown):
+    figure = DRAWN[name](flown)
+    figure.draw_without_rendering()
+    for ax in figure.axes:
+        labels = [axis.label.get_text() for axis in ax._axis_map.values()]
+        shared = not ax.xaxis.get_tick_params().get("labelbottom", True)
+        for label in labels[shared:]:
+            assert UNIT.search(label), label
+    sizes = {text.get_fontsize() for text in figure.findobj(Text) if text.get_text()}
+    assert min(sizes) >= SMALLEST
+    assert figure.get_figwidth() <= 7.0
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_what_is_beyond_the_limits_says_so(name, flown):
+    beta = flown.columns["beta_deg"].copy()
+    beta[20:23] = 40.0
+    flown = flown._replace(columns={**flown.columns, "beta_deg": beta})
+    (legend,) = DRAWN[name](flown).legends
+    told = " ".join(text.get_text() for text in legend.get_texts())
+    assert f"at {flown.t[20]:.2f} s: the sideslip angle exceeded β_max" in told.replace("\n", " ")
+
+
+def test_the_ground_does_not_set_the_scale(flown):
+    wild, ground = flown.columns["theta_rad"].copy(), np.arange(len(flown.t)) > 30
+    wild[31:] += 50.0
+    figure = FIGURES["state"](
+        flown._replace(columns={**flown.columns, "theta_rad": wild, "ground": ground})
+    )
+    assert max(figure.axes[3].get_ylim()) < 360.0
