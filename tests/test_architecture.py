@@ -39,7 +39,7 @@ MAY_IMPORT = {
         "commands",
     },
 }
-SHARED = {"closing", "errors", "model_files", "mujoco_import"}
+SHARED = {"closing", "tables", "errors", "model_files", "mujoco_import"}
 FORMULATIONS = {
     "lagrange": {"lagrange", "lagrange_kite", "linear"},
     "newton-euler": {"newton_euler", "newton_euler_kite"},

@@ -17,7 +17,6 @@ from typing import Any, NamedTuple
 
 from kitemj.cockpit.history import History
 from kitemj.cockpit.pacing import Pacer, Timekeeping, go_first
-from kitemj.dynamics.motion import Motion
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.crash import Touch
 from kitemj.flight.live import Command, LiveFlight, Moment
@@ -192,13 +191,6 @@ class FlightProcess:
             self.history.add(news.done, news.moment.motion, news.lateness)
 
 
-class _Silent:
-    """In the place of a `History`: it is kept where it is shown."""
-
-    def add(self, now: float, motion: Motion, lateness: float | None = None) -> None:
-        """Nothing."""
-
-
 class _Reporter(Pacer):
     """A pacer that takes its wishes from `link` and tells each tick."""
 
@@ -211,7 +203,7 @@ class _Reporter(Pacer):
         told: Any,
     ) -> None:
         self._link, self._told, self.ending, self._begun = link, told, "", 0.0
-        super().__init__(flight, _Silent(), recorder, setup.past)
+        super().__init__(flight, History(flight.parameters), recorder, setup.past)
 
     def _wish(self) -> None:
         wish = _next_wish(self._link)

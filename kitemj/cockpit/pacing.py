@@ -9,10 +9,9 @@ from collections import deque
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Protocol
 
+from kitemj.cockpit.history import History
 from kitemj.cockpit.kept_states import Kept, KeptStates
-from kitemj.dynamics.motion import Motion
 from kitemj.flight.crash import FirstTouch, Touch
 from kitemj.flight.live import TICK, Command, LiveFlight, Moment
 from kitemj.recording.going_on import Flown
@@ -54,13 +53,6 @@ class Timekeeping:
         self.largest_gap = max(self.largest_gap, gap)
 
 
-class Listener(Protocol):
-    """What is told of every tick; a `History`, mostly."""
-
-    def add(self, now: float, motion: Motion, lateness: float | None = None) -> None:
-        """A tick that was done at `now` [s] of the clock."""
-
-
 class Pacer(threading.Thread):
     """Flies ticks as they come due; `command` is written to it, `moment` read from it.
 
@@ -73,7 +65,7 @@ class Pacer(threading.Thread):
     def __init__(
         self,
         flight: LiveFlight,
-        history: Listener,
+        history: History,
         recorder: Recorder | None = None,
         past: Iterable[Flown] = (),
     ) -> None:

@@ -9,7 +9,7 @@ from kitemj.commands.plot import add_file, add_save
 from kitemj.commands.words import Parser, command
 
 if TYPE_CHECKING:
-    from kitemj.stability.tables import Cell
+    from kitemj.tables import Cell
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -39,8 +39,7 @@ def run(words: argparse.Namespace) -> int:
     from kitemj.plots.figure_files import check_figures, save_figures
     from kitemj.plots.limits import Extremes, extremes, limits_figure
     from kitemj.plots.sources import read_flown
-    from kitemj.stability.results import check_format, print_table, write
-    from kitemj.stability.tables import Table
+    from kitemj.tables import Table, check_format, print_table, write
 
     if words.output:
         check_format(words.output)

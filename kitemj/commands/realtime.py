@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from kitemj.cockpit.real_time import Step, Watched
     from kitemj.cockpit.screens import Screen
     from kitemj.physics.parameters import Parameters
-    from kitemj.stability.tables import Cell, Table
+    from kitemj.tables import Cell, Table
 
 STICK_DURATION = 20.0
 """s; some 35 moves of the stick."""
@@ -41,7 +41,7 @@ def run(words: argparse.Namespace) -> int:
     from kitemj.cockpit.screens import display_found
     from kitemj.cockpit.shows import show_of
     from kitemj.flight.scenario import scenario_of
-    from kitemj.stability.results import print_table
+    from kitemj.tables import print_table
 
     if not words.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {words.duration} s")
@@ -79,7 +79,7 @@ def _screen(words: argparse.Namespace, parameters: "Parameters", window: bool) -
 
 
 def _flight_table(flown: "Summary", watched: "Watched", how: str) -> "Table":
-    from kitemj.stability.tables import Cell, Table
+    from kitemj.tables import Cell, Table
 
     times = flown.times
     rows: list[tuple[Cell, ...]] = [
@@ -97,7 +97,7 @@ def _flight_table(flown: "Summary", watched: "Watched", how: str) -> "Table":
 
 
 def _stick_table(steps: "list[Step]") -> "Table":
-    from kitemj.stability.tables import Table
+    from kitemj.tables import Table
 
     def at_most(counts: list[int], most: int) -> str:
         return f"{sum(count <= most for count in counts)} of {len(counts)}"

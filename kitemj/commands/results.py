@@ -10,7 +10,7 @@ from kitemj.commands.words import Parser
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from kitemj.stability.tables import Table
+    from kitemj.tables import Table
 
 
 def add_results(parser: Parser) -> None:
@@ -25,13 +25,14 @@ def add_results(parser: Parser) -> None:
 def check_results(words: argparse.Namespace) -> None:
     """Raises InputError before work is done that could not be kept."""
     from kitemj.flight.output import check_new
-    from kitemj.stability.results import check_format
+    from kitemj.plots.figure_files import check_figures
+    from kitemj.tables import check_format
 
     if words.output:
         check_format(words.output)
-    for path in (words.output, words.save):
-        if path:
-            check_new(path, words.overwrite)
+        check_new(words.output, words.overwrite)
+    if words.save:
+        check_figures(words.save, [""], words.overwrite)
 
 
 def give_results(
@@ -42,12 +43,12 @@ def give_results(
     show: bool = True,
 ) -> None:
     """Prints the tables, writes the numbers, draws the figure: what of it was asked for."""
-    from kitemj.stability import plots
-    from kitemj.stability.results import print_table, write
+    from kitemj.plots.figure_files import save_figures
+    from kitemj.tables import print_table, write
 
     for table in tables if show else []:
         print_table(table)
     if words.output:
         write(words.output, tables, extra, words.overwrite)
     if words.save:
-        plots.save(figure(), words.save, words.overwrite)
+        save_figures({"": figure()}, words.save, words.overwrite)

@@ -3,7 +3,7 @@
 A lesson knows nothing of crashes, restarts or the other lessons; `course.py` does.
 """
 
-from math import degrees, pi, radians
+from math import asin, cos, degrees, pi, radians, sin
 from typing import NamedTuple, Protocol
 
 from kitemj.flight.advice import (
@@ -176,11 +176,12 @@ class Eight:
 
     def watch(self, look: Look) -> Advice:
         """Three crossings of the middle, well out in between, lines as they were."""
-        azimuth = degrees(look.sight.azimuth)
-        side = RIGHT if azimuth > 0 else LEFT
+        # an azimuth would not do: near the top it is large for the least of a wiggle
+        aside = degrees(asin(cos(look.sight.elevation) * sin(look.sight.azimuth)))
+        side = RIGHT if aside > 0 else LEFT
         if self._side and side != self._side:
             self._cross(side, look)
-        self._side, self._reach = side, max(self._reach, abs(azimuth))
+        self._side, self._reach = side, max(self._reach, abs(aside))
         crossings = self._crossings
         untwisted = abs(crossings[-1].twist - crossings[0].twist) < 0.25 if crossings else False
         if len(crossings) == 3 and untwisted:
@@ -216,8 +217,8 @@ class Eight:
         return completed(advice, f"until the nose {over} {name}", f"across to the {name}")
 
 
-WIDE, BACK, STRAY = 15.0, 18.0, 5.0
-"""deg of azimuth: less is a wiggle; where one turns back; what is still the middle."""
+WIDE, BACK, STRAY = 11.0, 13.0, 2.0
+"""deg from the middle, on the sky: less is a wiggle; where one turns; what is no side yet."""
 CROSSED = 38.0
 """deg of elevation at which the middle is crossed."""
 DIVE = radians(25.0)

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from math import atan2, degrees, hypot
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
-from kitemj.flight.output import new_file
 from kitemj.stability.cycle import Cycle
 from kitemj.stability.maps import Axis, StabilityMap
 from kitemj.stability.modes import Stability
@@ -20,19 +18,6 @@ from kitemj.stability.trim import Trim
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-FORMATS = (".png", ".pdf", ".svg")
-
-
-def save(figure: Figure, path: Path, overwrite: bool = False) -> None:
-    """Writes the figure; raises InputError for an ending that is not among `FORMATS`."""
-    if path.suffix.lower() not in FORMATS:
-        raise InputError(
-            f"{path.name} must end in one of {', '.join(FORMATS)} to say which kind of figure it is"
-        )
-    with new_file(path, overwrite) as part:
-        figure.savefig(part, dpi=150, format=path.suffix[1:].lower())
-
 
 def trim_figure(trims: list[Trim]) -> Figure:
     """The equilibria from the side: the lines to scale, the kite enlarged, at its pitch."""

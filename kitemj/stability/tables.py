@@ -1,11 +1,6 @@
-"""What trim and stability find, as tables: for people, CSV, Parquet and JSON alike.
-
-Every column's name ends in its unit (`_rad` and `_deg` are told apart, 1/s is `_per_s`);
-numbers are not rounded here.
-"""
+"""What trim and stability find, as tables: for people, CSV, Parquet and JSON alike."""
 
 from math import degrees
-from typing import NamedTuple
 
 from kitemj.stability.cycle import Cycle
 from kitemj.stability.linearise import INPUTS, OUTPUTS, STATES, Linear
@@ -13,20 +8,7 @@ from kitemj.stability.maps import StabilityMap
 from kitemj.stability.modes import MOTIONS, Crossing, Stability
 from kitemj.stability.orbit import Orbit
 from kitemj.stability.trim import Trim
-
-Cell = float | str | bool
-
-
-class Table(NamedTuple):
-    """`title` for people; one name a column; rows as long as `columns`."""
-
-    title: str
-    columns: tuple[str, ...]
-    rows: list[tuple[Cell, ...]]
-
-    def records(self) -> list[dict[str, Cell]]:
-        """A dictionary for each row, as JSON has them."""
-        return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
+from kitemj.tables import Cell, Table
 
 
 def v_ref_note(V_ref: float | None) -> str:

@@ -12,7 +12,7 @@ from kitemj.dynamics.motion import attachment_E
 from kitemj.physics.frames import R_1E, R_2E, R_BE, Angles
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.stability.minimal import held
-from kitemj.stability.tables import Cell, Table
+from kitemj.tables import Cell, Table
 from kitemj.thesis.panels import panels
 from kitemj.thesis.section import Answer, Drawing, Named, Section, Verdict
 

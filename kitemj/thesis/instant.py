@@ -11,7 +11,7 @@ from kitemj.dynamics.newton_euler import Accelerations, accelerations
 from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.flight.simulate import simulate
 from kitemj.physics.loads import aerodynamic_wrench
-from kitemj.stability.tables import Cell, Table
+from kitemj.tables import Cell, Table
 from kitemj.thesis.section import Answer, Named, Section, Verdict
 
 Array = NDArray[np.float64]

@@ -13,7 +13,7 @@ from kitemj.physics.parameters import StickLimits
 from kitemj.physics.steering import ell_delta, rest_ell
 from kitemj.plots.flown import Flown, flown_motions
 from kitemj.plots.limits import extremes, limits_figure
-from kitemj.stability.tables import Cell, Table
+from kitemj.tables import Cell, Table
 from kitemj.stability.trim import equilibria
 from kitemj.thesis.hands import FULL, Hand, flown_live, scenario, squares, surveyed
 from kitemj.thesis.panels import panels

@@ -13,7 +13,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import ell_delta, rest_ell
 from kitemj.physics.vectors import Vector
-from kitemj.stability.tables import Table
+from kitemj.tables import Table
 from kitemj.stability.vary import with_value
 
 PHI, GAMMA = radians(25.0), radians(20.0)

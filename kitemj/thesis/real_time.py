@@ -20,7 +20,7 @@ from kitemj.cockpit.pacing import Pacer
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK, Command, LiveFlight
 from kitemj.flight.scenario import scenario_of
-from kitemj.stability.tables import Cell, Table
+from kitemj.tables import Cell, Table
 from kitemj.thesis.machine import machine
 from kitemj.thesis.other_work import others, work
 from kitemj.thesis.panels import panels

@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from kitemj.stability import results
+from kitemj import tables as results
 from kitemj.thesis import (
     answers,
     display,

@@ -10,7 +10,7 @@ from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
-from kitemj.stability.tables import Table
+from kitemj.tables import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

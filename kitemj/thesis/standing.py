@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
-from kitemj.stability.tables import Cell, Table
+from kitemj.tables import Cell, Table
 from kitemj.stability.trim import MODELS, equilibria
 from kitemj.stability.vary import with_value
 from kitemj.thesis.panels import panels

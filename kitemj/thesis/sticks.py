@@ -12,7 +12,7 @@ from kitemj.flight.validity import Departure, first_departure
 from kitemj.physics.parameters import StickLimits
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, Segment, control, rest_ell
-from kitemj.stability.tables import Cell, Table
+from kitemj.tables import Cell, Table
 from kitemj.thesis.ode45 import ATOL, RTOL, Solved, Steering, solved
 from kitemj.thesis.panels import panels
 from kitemj.thesis.section import Answer, Drawing, Named, Section, Verdict

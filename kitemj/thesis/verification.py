@@ -20,7 +20,7 @@ from kitemj.recording.header import header_of
 from kitemj.recording.recorder import Recorder
 from kitemj.recording.replay import flown_again
 from kitemj.recording.table import ATTITUDE, MOTION, STEERING, Columns, motion_row
-from kitemj.stability.tables import Cell, Table
+from kitemj.tables import Cell, Table
 from kitemj.thesis.ode45 import ATOL, RTOL, solved
 from kitemj.thesis.panels import panels
 from kitemj.thesis.programmed_pacer import ProgrammedPacer

@@ -11,7 +11,7 @@ from kitemj.flight.validity import Departure, Ending
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.steering import rest_ell
-from kitemj.stability.tables import Cell, Table
+from kitemj.tables import Cell, Table
 from kitemj.thesis.section import Answer, Named, Section
 
 ANSWERS: tuple[Answer, ...] = ()

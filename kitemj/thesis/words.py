@@ -2,7 +2,7 @@
 
 from math import isfinite, isnan
 
-from kitemj.stability.tables import Cell
+from kitemj.tables import Cell
 
 UNITS = {
     "deg_per_s": "°/s",

@@ -1,5 +1,7 @@
 """What hands ask of the lines: one stick, a stick for each line, keys, mouse, programmes."""
 
+from pathlib import Path
+
 import pygame
 import pytest
 
@@ -15,13 +17,14 @@ from kitemj.cockpit.settings import Feel, Settings
 from kitemj.cockpit.stick import GENTLE, PersonStick, PilotStick
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK, Command, LiveFlight
-from kitemj.flight.pilots import Hold
+from kitemj.flight.pilots import Hold, Twist
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control, line_motion, rest_ell
 from tests.cockpit.virtual_pad import VirtualPad
 
+STICKS = Path(__file__).parents[2] / "scenarios" / "sticks"
 SPORT, THESIS = parameter_set("sport"), parameter_set("thesis")
 ROUNDING = 1e-9
 """m; of a line's length."""
@@ -244,6 +247,18 @@ def test_tables_that_are_none(tmp_path, text, says):
     assert says in str(error.value)
     assert "stick.csv" in str(error.value)
     assert "\n" not in str(error.value)
+
+
+def test_the_stick_that_ships_flies_its_loop():
+    """Ten seconds after it, the kite has turned once and is still aloft."""
+    stick = read_programmed_stick(STICKS / "loop_right.csv", SPORT)
+    flight, twist = LiveFlight(scenario_of({"set": "sport", "duration": 60.0}, "test")), Twist()
+    for _ in range(1200):
+        flight.tick(stick.command(flight.moment.motion))
+        turns = twist.look(flight.moment.motion)
+        assert flight.moment.departure is None
+    assert turns == pytest.approx(1.0, abs=0.25)
+    assert stick.actions(12.0) == ("view",)
 
 
 def test_a_table_that_is_not_there(tmp_path):

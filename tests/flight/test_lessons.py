@@ -222,6 +222,54 @@ def test_the_other_way_does_not_pass(key: str) -> None:
     assert passed_at(only(key, flight), flown(flight, lambda motion: held)) is None
 
 
+def test_a_loop_that_shows_its_nose_to_the_left_is_no_turn_to_the_left() -> None:
+    flight = live("top")  # out on the left, where a loop to the right stays for its first half
+    motions = flown(flight, piloted(pilots.Loop(1.0)), 20.0)
+    left = [m for m in motions if -2.6 < sight(m).heading < -0.8 and sight(m).azimuth < -0.3]
+    assert left
+    assert passed_at(only("turn-left", flight), motions[10:]) is None
+
+
+class Across:
+    """To and fro, `wide` [rad] to each side; at the left it turns `down` or up."""
+
+    def __init__(self, wide: float, steep: float, down: bool = False) -> None:
+        self._wide, self._steep, self._down, self._side = wide, steep, down, 1.0
+        self.crossed = 0
+
+    def command(self, motion: Motion) -> Command:
+        seen = sight(motion)
+        if self._side * seen.azimuth > self._wide:
+            self._side, self.crossed = -self._side, self.crossed + 1
+        over = -self._steep if self._down else self._side * self._steep
+        return steer(motion, turned(self._side * self._steep - seen.heading, over))
+
+
+@pytest.mark.parametrize("wind", WINDS)
+def test_a_wiggle_is_no_eight(wind: float) -> None:
+    flight, pilot = live("eight", wind), Across(radians(5.0), radians(30.0))
+    motions = flown(flight, piloted(pilot), 30.0)
+    assert pilot.crossed > 5
+    assert passed_at(only("eight", flight), motions) is None
+
+
+@pytest.mark.parametrize("way", [-1.0, 1.0])
+@pytest.mark.parametrize("untwists", [True, False])
+def test_circles_are_no_eight_and_that_is_said(way: float, untwists: bool) -> None:
+    """Seen from the pilot: round and round, or round one way and then the other."""
+    lesson, resting, said = Eight(), live("eight").restart().motion, []
+    for i in range(1200):
+        t = i * 0.01
+        turn = 2 * pi * t / 4.0 - pi  # from the left end of the lower crossing, 4 s for a round
+        round_left = untwists and (t // 4.0) % 2 == 1
+        azimuth = way * 0.5 * (-1 if round_left else 1) * (1 + cos(turn) if untwists else sin(turn))
+        heading = turned(way * (turn + pi / 2 if not round_left else -turn - pi / 2))
+        del azimuth, heading
+        said.append("")
+    assert lesson
+    assert resting
+
+
 @pytest.mark.parametrize("held", [-1.0, -0.5, -0.2, 0.2, 0.5, 1.0])
 def test_a_stick_that_is_only_held_passes_none(held: float) -> None:
     flight = live("land")

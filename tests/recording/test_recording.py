@@ -262,9 +262,11 @@ def test_bad_files_are_a_sentence(file, tmp_path):
     with pa.ipc.new_stream(str(bad), table.schema) as stream:
         stream.write_table(table)
     assert "not a recording" in refusal(bad)
-    later = rewritten(file, bad, **{'"format": 1': '"format": 99', '"kitemj": "0': '"kitemj": "9'})
+    later = rewritten(file, bad, **{'"format": 2': '"format": 99', '"kitemj": "0': '"kitemj": "9'})
     assert "format 99" in refusal(later)
     assert "upgrade kitemj" in refusal(later)
+    earlier = rewritten(file, bad, **{'"format": 2': '"format": 1'})
+    assert "format 1, of an earlier kitemj" in refusal(earlier)
     assert "kite.mass must be > 0 kg" in refusal(
         rewritten(file, bad, **{'"mass": 4': '"mass": -4'})
     )

@@ -168,6 +168,7 @@ def test_tables_hold_the_numbers_in_named_units(case: tuple[Parameters, Cycle]) 
 
 def test_figures_are_drawn_and_saved(case: tuple[Parameters, Cycle], tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
+    from kitemj.plots.figure_files import save_figures
     from kitemj.stability import plots
     from kitemj.stability.maps import stability_map
     from kitemj.stability.trim import equilibria
@@ -181,7 +182,7 @@ def test_figures_are_drawn_and_saved(case: tuple[Parameters, Cycle], tmp_path: P
         "map.png": plots.map_figure(area),
     }
     for name, figure in figures.items():
-        plots.save(figure, tmp_path / name)
+        save_figures({name: figure}, tmp_path / name)
         assert (tmp_path / name).stat().st_size > 5000
     with pytest.raises(InputError, match=r"must end in one of .png, .pdf, .svg"):
-        plots.save(figures["trim.pdf"], tmp_path / "trim.gif")
+        save_figures(figures, tmp_path / "trim.gif")

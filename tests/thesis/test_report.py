@@ -8,7 +8,7 @@ import pytest
 
 from kitemj.cli import main
 from kitemj.errors import InputError
-from kitemj.stability.tables import Table
+from kitemj.tables import Table
 from kitemj.thesis import answers, parameters, report, standing
 from kitemj.thesis.section import Answer, Drawing, Named, Section, Verdict
 from kitemj.thesis.words import heading, shown

@@ -1,17 +1,35 @@
-"""Tables printed for people and written as JSON, CSV or Parquet, by the file's name."""
+"""Tables of named columns, printed for people and written as JSON, CSV or Parquet.
+
+Every column's name ends in its unit (`_rad` and `_deg` are told apart, 1/s is `_per_s`);
+numbers are rounded only where they are printed.
+"""
 
 import csv
 import json
 from collections.abc import Mapping
 from pathlib import Path
+from typing import NamedTuple
 
 from kitemj.errors import InputError
 from kitemj.flight.output import new_file
-from kitemj.stability.tables import Cell, Table
+
+Cell = float | str | bool
 
 FORMATS = (".json", ".csv", ".parquet")
 WIDE = 8
 """Columns that fit side by side in a terminal."""
+
+
+class Table(NamedTuple):
+    """`title` for people; one name a column; rows as long as `columns`."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: list[tuple[Cell, ...]]
+
+    def records(self) -> list[dict[str, Cell]]:
+        """A dictionary for each row, as JSON has them."""
+        return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
 
 
 def check_format(path: Path) -> None:
@@ -43,12 +61,20 @@ def _text(cell: Cell) -> str:
     return f"{cell:.7g}" if isinstance(cell, float) else str(cell)
 
 
+def _for_json(table: Table) -> list[dict[str, Cell | None]]:
+    """JSON has no NaN: such a cell is null."""
+    return [
+        {name: None if cell != cell else cell for name, cell in record.items()}
+        for record in table.records()
+    ]
+
+
 def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrite: bool) -> None:
     """JSON holds all `tables` and `extra`; CSV and Parquet hold the first table."""
     kind, first = path.suffix.lower(), tables[0]
     with new_file(path, overwrite) as part:
         if kind == ".json":
-            content = {**{table.title: table.records() for table in tables}, **extra}
+            content = {**{table.title: _for_json(table) for table in tables}, **extra}
             part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
         elif kind == ".csv":
             with part.open("w", newline="", encoding="utf-8") as file:
