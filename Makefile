@@ -3,7 +3,7 @@
 
 BIN := .venv/bin
 
-.PHONY: help fly test lock wheel clean
+.PHONY: help fly test manual lock wheel clean
 
 help: ## what make can do here
 	@sed -n 's/^\([a-z]*\):.*## /  make \1  /p' Makefile
@@ -17,6 +17,9 @@ test: .venv/ready ## style, types and tests
 	$(BIN)/mypy
 	$(BIN)/pytest -q
 
+manual: .venv/ready ## the manual, build/manual/index.html
+	$(BIN)/python -m sphinx -q -n -W docs build/manual
+
 lock: .venv/ready ## renew requirements.lock: the newest versions that pyproject.toml allows
 	$(BIN)/uv pip compile --quiet --upgrade --universal --fork-strategy fewest --group dev \
 		--no-emit-index-url --custom-compile-command "make lock" \
@@ -25,8 +28,8 @@ lock: .venv/ready ## renew requirements.lock: the newest versions that pyproject
 wheel: .venv/ready ## dist/kitemj-*.whl
 	$(BIN)/python -m hatchling build --target wheel
 
-clean: ## remove .venv and dist
-	rm -rf .venv dist
+clean: ## remove .venv, build and dist
+	rm -rf .venv build dist
 
 # Made anew when one of these files is newer than the last time.
 .venv/ready: requirements.lock pyproject.toml scripts/setup.sh

@@ -4,6 +4,7 @@ import numpy as np
 import pygame
 
 from kitemj.cockpit.film_sources import Recorded
+from kitemj.cockpit.pads import events
 from kitemj.cockpit.picture import VIEWS, Picture
 from kitemj.cockpit.replay_player import Player
 from kitemj.cockpit.replay_slider import HEIGHT, Slider
@@ -58,7 +59,7 @@ class ReplayWindow:
 
     def poll(self) -> None:
         """Does what the keys and the mouse say."""
-        for event in pygame.event.get():
+        for event in events():
             if event.type == pygame.QUIT:
                 self.leaving = True
             elif event.type == pygame.KEYDOWN:

@@ -12,6 +12,7 @@ from pygame import RESIZABLE
 
 from kitemj.cockpit.actions import KEYS, Wishes
 from kitemj.cockpit.film import Film
+from kitemj.cockpit.pads import events
 from kitemj.cockpit.stick import PersonStick, Stick
 
 FRAME_RATE = 30
@@ -84,7 +85,7 @@ class Window:
 
     def poll(self) -> None:
         """Reads all events."""
-        for event in pygame.event.get():
+        for event in events():
             self._ask(self._person.handle(event))
             if event.type == pygame.QUIT:
                 self._ask(["leave"])

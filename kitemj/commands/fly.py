@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 SHOW_DURATION = 20.0
 """s; of a flight that nobody watches."""
+LONG = 20.0
+"""s; for a sentence that must not be missed."""
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -155,7 +157,7 @@ def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None"
     settings, complaint = settings_or_defaults()
     person = PersonStick(settings, scenario.parameters)
     if complaint:
-        person.notices.say(complaint)
+        person.notices.say(complaint, LONG)
     return Window(*pixels, f"kitemj: {scenario.source}", person, stick)
 
 

@@ -217,7 +217,7 @@ class Eight:
         return completed(advice, f"until the nose {over} {name}", f"across to the {name}")
 
 
-WIDE, BACK, STRAY = 11.0, 13.0, 2.0
+WIDE, BACK, STRAY = 11.0, 15.0, 2.0
 """deg from the middle, on the sky: less is a wiggle; where one turns; what is no side yet."""
 CROSSED = 38.0
 """deg of elevation at which the middle is crossed."""

@@ -7,6 +7,7 @@ or another steering programme takes its place without touching the dynamics.
 """
 
 import hashlib
+import inspect
 import tempfile
 from collections.abc import Callable
 from functools import cache
@@ -21,11 +22,13 @@ from platformdirs import user_cache_path
 F = TypeVar("F", bound=Callable[..., Any])
 
 OPTIONS: Any = {
-    "cache": True,
     "nogil": True,
     "error_model": "numpy",
     "no_cfunc_wrapper": True,  # nothing calls through a C pointer; a tenth of the compiling
 }
+
+
+PACKAGE = Path(__file__).parent.parent
 
 
 @cache
@@ -35,9 +38,8 @@ def cache_folder() -> Path:
     numba notices a change in a function's own file only, never in the files of the
     functions that it calls, so the name carries a hash of every formula.
     """
-    package = Path(__file__).parent.parent
     digest = hashlib.sha256()
-    for source in sorted(package.glob("*/*.py")):
+    for source in sorted(PACKAGE.glob("*/*.py")):
         if b"@compiled" in (text := source.read_bytes()) or source.parent.name == "physics":
             digest.update(text)
     home = user_cache_path("kitemj")
@@ -48,15 +50,37 @@ def cache_folder() -> Path:
     return home / f"compiled-{digest.hexdigest()[:16]}"
 
 
+_formulas: list[Any] = []
+_strangers: set[Path] = set()
+"""Files outside the package that hold formulas: those of a user."""
+
+
 def compiled(function: F) -> F:
     """Machine code for `function`, kept on disk, free of the interpreter's lock."""
+    machine_code: Any = njit(**OPTIONS)(function)
+    _formulas.append(machine_code)
+    _keep([machine_code])
+    return machine_code  # type: ignore[no-any-return]
+
+
+def _know(stranger: Path) -> None:
+    """From now on nothing is kept where processes that do not know this file would find it."""
+    _strangers.add(stranger)
+    _keep(_formulas)
+
+
+def _keep(formulas: list[Any]) -> None:
+    folder = cache_folder()
+    if _strangers:
+        digest = hashlib.sha256(b"".join(file.read_bytes() for file in sorted(_strangers)))
+        folder = folder.with_name(f"{folder.name}-{digest.hexdigest()[:16]}")
     settings: Any = numba.config
-    elsewhere, settings.CACHE_DIR = settings.CACHE_DIR, str(cache_folder())
+    elsewhere, settings.CACHE_DIR = settings.CACHE_DIR, str(folder)
     try:
-        machine_code: Any = njit(**OPTIONS)(function)
+        for formula in formulas:
+            formula.enable_caching()
     finally:
         settings.CACHE_DIR = elsewhere
-    return machine_code  # type: ignore[no-any-return]
 
 
 class Law:
@@ -74,6 +98,9 @@ class Law:
 
         def register(function: F) -> F:
             self.formulas[kind] = function
+            source = Path(inspect.unwrap(function).__code__.co_filename)
+            if source.is_file() and PACKAGE not in source.parents:
+                _know(source)
             return function
 
         return register

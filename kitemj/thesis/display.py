@@ -1,26 +1,25 @@
 """Section 4.5: the frames that kitemj paints, of a flight in real time."""
 
-import time
 from pathlib import Path
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from kitemj.cockpit.flight_process import FlightProcess
 from kitemj.cockpit.picture import VIEWS, Picture, Readings
 from kitemj.cockpit.programmed import ProgrammedStick, Row
 from kitemj.errors import NoGraphics
-from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.live import TICK
 from kitemj.flight.scenario import scenario_of
-from kitemj.thesis.programmed_pacer import ProgrammedPacer
 from kitemj.thesis.section import Answer, Drawing, Section, Verdict
-from kitemj.thesis.watching import readings_of, watch
+from kitemj.thesis.watching import flying, readings_of, watch
 
 ANSWERS = (
     Answer(
         "Figure 29",
         Verdict.NOT_APPLICABLE,
-        "a Simulink block diagram; stick, physics and painting meet in cockpit/fly.py",
+        "a Simulink block diagram; stick, flight and painting meet in cockpit/fly.py",
     ),
     Answer(
         "Figure 30",
@@ -65,11 +64,9 @@ Frame = NDArray[np.uint8]
 def section(scratch: Path) -> Section:
     """Frames; where there is no OpenGL, the sentence that says how to get it."""
     scenario = scenario_of({"set": "thesis", "duration": SECONDS}, "the flight of section 4.5")
-    flight = LiveFlight(scenario)
-    flight.warm_up()
     try:
-        with Picture(flight.parameters, *SIZE) as picture:
-            frames = painted(flight, picture, SECONDS)
+        with Picture(scenario.parameters, *SIZE) as picture, flying(scenario) as physics:
+            frames = painted(physics, picture, SECONDS)
     except NoGraphics as reason:
         return _without(str(reason))
     drawings = []
@@ -80,19 +77,12 @@ def section(scratch: Path) -> Section:
     return Section(_TITLE, ANSWERS, _THESIS, _HERE, _WHY, drawings)
 
 
-def painted(flight: LiveFlight, picture: Picture, seconds: float) -> dict[str, Frame]:
+def painted(physics: FlightProcess, picture: Picture, seconds: float) -> dict[str, Frame]:
     """The last moment of a flight in real time: the cockpit, then each view alone."""
-    stick = ProgrammedStick([Row(t, steer) for t, steer in MOVES], flight.parameters)
-    pacer = ProgrammedPacer(flight, round(seconds / TICK), stick)
-    picture.paint(pacer.moment.motion, None, Readings())
-    try:
-        pacer.start()
-        watch(pacer, picture, FRAME_TIME, time.perf_counter())
-    finally:
-        pacer.stop()
-    if pacer.error:
-        raise pacer.error
-    moment, readings = pacer.moment, readings_of(pacer, time.perf_counter())
+    stick = ProgrammedStick([Row(t, steer) for t, steer in MOVES], physics.parameters)
+    picture.paint(physics.moment.motion, None, Readings())
+    watch(physics, round(seconds / TICK), lambda: picture, FRAME_TIME, stick)
+    moment, readings = physics.moment, readings_of(physics)
     frames = {"cockpit": picture.paint(moment.motion, moment.reference, readings)}
     picture.shown = set(BARE)
     for view in VIEWS:
@@ -130,12 +120,13 @@ _HERE = [
     "One frame holds everything: the kite from near with the forces on it, the whole from "
     "the pilot, knob, limits, tensions, punctuality. Main view and instruments are chosen by keys.",
     f"The frames below are of the last moment of {SECONDS:g} s in real time under a programmed "
-    f"stick, painted while the physics flew; every number in them is that flight's. The kite is "
+    f"stick, painted while it was flown; every number in them is that flight's. The kite is "
     f"drawn to scale from near, and larger than it is from afar, where it could not be seen.",
 ]
 
 _WHY = [
-    "A frame is painted from a motion by the renderer of MuJoCo, in a thread that the physics "
-    "does not wait for. So nothing has to be left out to keep time, and a recording, a film and "
-    "a live flight look the same. What painting costs is measured in the section on real time.",
+    "A frame is painted from a motion by the renderer of MuJoCo; the flight has a process of its "
+    "own and does not wait for it. So nothing has to be left out to keep time, and a recording, a "
+    "film and a live flight look the same. What painting costs is measured in the section on real "
+    "time.",
 ]

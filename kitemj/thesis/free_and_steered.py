@@ -18,9 +18,9 @@ from kitemj.physics.steering import rest_ell
 from kitemj.stability.cycle import Cycle, cycle
 from kitemj.stability.minimal import state_of
 from kitemj.stability.modes import crossings, stability
-from kitemj.tables import Cell, Table
 from kitemj.stability.trim import standing
 from kitemj.stability.vary import with_value
+from kitemj.tables import Cell, Table
 from kitemj.thesis.forced import LAST, Swing, threshold
 from kitemj.thesis.panels import panels
 from kitemj.thesis.section import Answer, Drawing, Named, Section

@@ -13,8 +13,8 @@ from kitemj.physics.parameters import StickLimits
 from kitemj.physics.steering import ell_delta, rest_ell
 from kitemj.plots.flown import Flown, flown_motions
 from kitemj.plots.limits import extremes, limits_figure
-from kitemj.tables import Cell, Table
 from kitemj.stability.trim import equilibria
+from kitemj.tables import Cell, Table
 from kitemj.thesis.hands import FULL, Hand, flown_live, scenario, squares, surveyed
 from kitemj.thesis.panels import panels
 from kitemj.thesis.section import Answer, Drawing, Named, Section, Verdict
@@ -191,8 +191,8 @@ def sensitivity_table() -> Table:
         percent = log(high / low) / log((1 + NUDGE) / (1 - NUDGE))
         rows.append((_SYMBOLS[name], value, low, high, percent))
     columns = ("limit", "value", "beta_10_percent_less_deg", "beta_10_percent_more_deg")
-    title = "Around case 3: how |β| follows each limit"
-    return Table(title, (*columns, "percent_of_β_for_one_percent"), rows)
+    title = "Around case 3: percent of |β| for one percent of each limit"
+    return Table(title, (*columns, "percent_for_percent"), rows)
 
 
 _SYMBOLS = {"delta": "δ_max [rad]", "delta_dot": "δ̇_max [rad/s]", "delta_ddot": "δ̈_max [rad/s²]"}
@@ -285,7 +285,7 @@ def _here_more(sensitivities: Table, reach: Table, beyond: Table) -> list[str]:
     hand = [100 * kite.y_A * case.delta_dot for case in CASES.values()]
     return [
         f"Around case 3, one percent more of δ_max gives {share['delta']:.2f} % more β, of δ̇_max "
-        f"{share['delta_dot']:.2f} % and of δ̈_max {share['delta_ddot']:.3f} %. δ̇_max does "
+        f"{share['delta_dot']:.2f} % and of δ̈_max {share['delta_ddot']:.0e} %. δ̇_max does "
         "matter more than δ̈_max; δ_max matters more than both.",
         f"The map goes on to hands {RATES[-1] / CASES[2].delta_dot:.0f} times as fast as case 2: "
         f"|β| reaches {worst:.1f}° at the most. What sudden hands meet first is another limit: in "

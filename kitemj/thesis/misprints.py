@@ -13,8 +13,8 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import ell_delta, rest_ell
 from kitemj.physics.vectors import Vector
-from kitemj.tables import Table
 from kitemj.stability.vary import with_value
+from kitemj.tables import Table
 
 PHI, GAMMA = radians(25.0), radians(20.0)
 """rad; where the readings of R_1E are compared."""

@@ -3,14 +3,16 @@
 import os
 import time
 from math import nan
+from multiprocessing import active_children
 from pathlib import Path
 from typing import NamedTuple
 
 
 class Work(NamedTuple):
-    """At the time `wall` [s]: processor time [s] used by this process and by all, ever.
+    """At the time `wall` [s]: processor time [s] used by this program and by all, ever.
 
-    `everyone` is not a number where the system does not tell (only Linux does, in a file).
+    `own` is that of this process and of those that it began and that still run. Both are not a
+    number where the system does not tell (only Linux does, in files).
     """
 
     wall: float
@@ -18,9 +20,10 @@ class Work(NamedTuple):
     everyone: float
 
 
-def work(stat: Path = Path("/proc/stat")) -> Work:
+def work(proc: Path = Path("/proc")) -> Work:
     """What was done until now."""
-    return Work(time.perf_counter(), time.process_time(), _everyone(stat))
+    children = sum(_of_process(proc / str(child.pid) / "stat") for child in active_children())
+    return Work(time.perf_counter(), time.process_time() + children, _of_all(proc / "stat"))
 
 
 def others(before: Work, after: Work) -> float:
@@ -30,11 +33,21 @@ def others(before: Work, after: Work) -> float:
     return max(cores, 0.0)  # in this order: not a number stays what it is
 
 
-def _everyone(stat: Path) -> float:
+def _of_all(stat: Path) -> float:
+    """All work of the machine [s], that of its host for others included."""
     try:
         words = stat.read_text(encoding="ascii").split("\n", 1)[0].split()[1:]
     except OSError:
         return nan
     user, nice, system, _idle, _waiting, hard, soft, stolen = map(int, words[:8])
-    ticks = user + nice + system + hard + soft + stolen
-    return ticks / os.sysconf("SC_CLK_TCK")
+    return (user + nice + system + hard + soft + stolen) / os.sysconf("SC_CLK_TCK")
+
+
+def _of_process(stat: Path) -> float:
+    """The work [s] of one process."""
+    try:
+        words = stat.read_text(encoding="utf-8").rpartition(")")[2].split()
+    except OSError:
+        return nan
+    user, system = int(words[11]), int(words[12])
+    return (user + system) / os.sysconf("SC_CLK_TCK")

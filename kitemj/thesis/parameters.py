@@ -8,8 +8,8 @@ from typing import Any
 
 from kitemj.physics.parameter_files import parameter_set, read_toml
 from kitemj.physics.parameters import Parameters
-from kitemj.tables import Cell, Table
 from kitemj.stability.vary import with_value
+from kitemj.tables import Cell, Table
 from kitemj.thesis.misprints import misprint_table, rotation_table
 from kitemj.thesis.section import Answer, Named, Section, Verdict
 

@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from kitemj import tables as results
+from kitemj.tables import write
 from kitemj.thesis import (
     answers,
     display,
@@ -34,7 +34,7 @@ from kitemj.thesis import (
 from kitemj.thesis.folder import new_folder
 from kitemj.thesis.machine import machine, packages
 from kitemj.thesis.section import Drawing, Named, Section, Writer
-from kitemj.thesis.words import heading, shown
+from kitemj.thesis.words import heading, shown, typeset
 
 WRITERS: tuple[Writer, ...] = (
     parameters,
@@ -116,7 +116,7 @@ def _draw(drawing: Drawing, folder: Path) -> None:
 
 def _tabulate(named: Named, folder: Path) -> None:
     for suffix in (".csv", ".parquet"):
-        results.write(folder / f"{named.name}{suffix}", [named.table], {}, overwrite=False)
+        write(folder / f"{named.name}{suffix}", [named.table], {}, overwrite=False)
 
 
 def _page(sections: Sequence[Section]) -> str:
@@ -133,7 +133,8 @@ def _page(sections: Sequence[Section]) -> str:
         name = row.answer.shown
         return f"figure-{name}" if name in drawings else f"table-{name}"
 
-    environment.filters |= {"shown": shown, "heading": heading, "file_of": file_of, "place": place}
+    environment.filters |= {"shown": shown, "heading": heading, "typeset": typeset}
+    environment.filters["file_of"], environment.filters["place"] = file_of, place
     return environment.get_template("report.html.j2").render(
         sections=sections,
         rows=answers.rows(sections),

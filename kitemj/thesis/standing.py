@@ -11,9 +11,9 @@ from scipy.optimize import brentq
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
-from kitemj.tables import Cell, Table
 from kitemj.stability.trim import MODELS, equilibria
 from kitemj.stability.vary import with_value
+from kitemj.tables import Cell, Table
 from kitemj.thesis.panels import panels
 from kitemj.thesis.section import Answer, Drawing, Named, Section
 
@@ -44,8 +44,8 @@ def section(scratch: Path) -> Section:
             "and each of the three models finds its own place of no acceleration.",
             f"All agree to {worst:.0e}° in α. Neither the length of the lines nor C_lβ is in the "
             "equation, so the kite stands at the same α, γ and θ on 80 m and on 200 m; only the "
-            "tension differs, by the angle between the lines. There is one equilibrium below "
-            "stall; the other roots are beyond it.",
+            "tension differs, by the angle between the lines. Between nose down and stall there is "
+            "one equilibrium.",
         ],
         drawings=[
             Drawing(

@@ -109,10 +109,8 @@ def recorded(path: Path, seconds: float) -> Recording:
         pacer.start()
         pacer.join()
     finally:
-        pacer.stop()
-        recorder.close(str(pacer.error or "as long as was asked"))
-    if pacer.error:
-        raise pacer.error
+        pacer.stop("as long as was asked")
+    pacer.update()
     return read_recording(path)
 
 
@@ -242,9 +240,9 @@ def _here(recording: Recording, again: list[Again], errors: Mapping[str, Array])
     identical = of["mujoco, exact"].note
     return [
         f"A programme moved the stick for {recording.columns['t_s'][-1]:g} s in the loop that a "
-        f"person flies in: the physics in its own thread by the wall clock, every tick of "
-        f"{recording.header.tick * 1e3:g} ms recorded ({len(recording)} rows). The stick was read "
-        f"by the time of the flight, so that the same is flown each time.",
+        f"person flies in, ticks of {recording.header.tick * 1e3:g} ms by the wall clock, each of "
+        f"them recorded ({len(recording)} rows). The stick was read by the time of the flight, so "
+        f"that the same is flown each time.",
         f"Flown again from the file, the numbers of the model that flew it "
         f"({recording.header.model}) are {identical or 'not the same'}. Lagrange's equations stay "
         f"within {gap('lagrange, exact'):.2g} m and {state('lagrange, exact'):.2g} rad, those of "

@@ -1,6 +1,9 @@
-"""How numbers and columns of tables are written for people."""
+"""How sentences, numbers and columns of tables are written for people."""
 
+import re
 from math import isfinite, isnan
+
+from markupsafe import Markup, escape
 
 from kitemj.tables import Cell
 
@@ -24,26 +27,45 @@ UNITS = {
 """By the ending of a column's name."""
 
 
-def heading(column: str) -> str:
-    """`beta_max_deg` as ``beta max [°]``."""
+GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "theta": "θ", "omega": "ω"}
+GREEK |= {"phi": "φ", "eta": "η", "ell": "ℓ"}
+
+INDEX = re.compile(r"(?<![\w_])([^\W\d_][\u0307\u0308]?)_(\w+)\b(?![._/])")
+"""One letter, perhaps dotted, and what is written below it; not the names of files."""
+POWER = re.compile(r"(?<=\d)e([+-]?\d+)\b")
+MINUS = re.compile(r"(?<![\w-])-(?=\d)")
+
+
+def typeset(text: str) -> Markup:
+    """Text as HTML: `C_lβ` with its index lowered, `3e-7` with its power raised, true minus."""
+    html = MINUS.sub("−", str(escape(text)))
+    html = POWER.sub(lambda found: f" · 10{_raised(int(found[1]))}", html)
+    return Markup(INDEX.sub(r"\1<sub>\2</sub>", html))
+
+
+def heading(column: str) -> Markup:
+    """`beta_max_deg` as ``β max [°]``, `C_lβ` with its index lowered."""
     for ending, unit in UNITS.items():
         if column.endswith(f"_{ending}"):
-            return f"{column.removesuffix(f'_{ending}').replace('_', ' ')} [{unit}]"
-    return column.replace("_", " ")
+            return _words(column.removesuffix(f"_{ending}")) + f" [{unit}]"
+    return _words(column)
 
 
-def shown(cell: Cell) -> str:
+def _words(column: str) -> Markup:
+    if INDEX.fullmatch(column):
+        return typeset(column)
+    return escape(" ".join(GREEK.get(word, word) for word in column.split("_")))
+
+
+def shown(cell: Cell) -> Markup:
     """A number to five digits, with ten to some power where that is shorter."""
     if isinstance(cell, bool):
-        return "yes" if cell else "no"
+        return Markup("yes" if cell else "no")
     if not isinstance(cell, (int, float)):
-        return str(cell)
+        return typeset(cell)
     if isnan(cell):
-        return "–"
-    text = f"{cell:.5g}" if isfinite(cell) else str(cell)
-    mantissa, e, exponent = text.partition("e")
-    text = f"{mantissa} · 10{_raised(int(exponent))}" if e else text
-    return text.replace("-", "−")
+        return Markup("–")
+    return typeset(f"{cell:.5g}" if isfinite(cell) else str(cell))
 
 
 def _raised(exponent: int) -> str:

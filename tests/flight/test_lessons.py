@@ -4,17 +4,19 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from itertools import compress
-from math import degrees, radians
+from math import atan2, cos, degrees, pi, radians, sin
 
 import numpy as np
 import pytest
 
 from kitemj.dynamics.motion import Motion
 from kitemj.flight import pilots
+from kitemj.flight.advice import Advice, Look
 from kitemj.flight.course import BLINK, LESSONS, PRAISED, Course
 from kitemj.flight.crash import FirstTouch
+from kitemj.flight.lessons import Eight
 from kitemj.flight.live import TICK, Command, LiveFlight
-from kitemj.flight.pilots import sight, steer, turned
+from kitemj.flight.pilots import Sight, sight, steer, turned
 from kitemj.flight.scenario import scenario_of
 
 KEYS = [entry.key for entry in LESSONS]
@@ -230,44 +232,48 @@ def test_a_loop_that_shows_its_nose_to_the_left_is_no_turn_to_the_left() -> None
     assert passed_at(only("turn-left", flight), motions[10:]) is None
 
 
-class Across:
-    """To and fro, `wide` [rad] to each side; at the left it turns `down` or up."""
+class Wiggle:
+    """To and fro about the middle, the nose never far from up."""
 
-    def __init__(self, wide: float, steep: float, down: bool = False) -> None:
-        self._wide, self._steep, self._down, self._side = wide, steep, down, 1.0
-        self.crossed = 0
+    def __init__(self) -> None:
+        self._side, self.crossed = 1.0, 0
 
     def command(self, motion: Motion) -> Command:
         seen = sight(motion)
-        if self._side * seen.azimuth > self._wide:
+        if self._side * seen.azimuth > radians(5.0):
             self._side, self.crossed = -self._side, self.crossed + 1
-        over = -self._steep if self._down else self._side * self._steep
-        return steer(motion, turned(self._side * self._steep - seen.heading, over))
+        return steer(motion, turned(self._side * radians(30.0) - seen.heading))
 
 
 @pytest.mark.parametrize("wind", WINDS)
 def test_a_wiggle_is_no_eight(wind: float) -> None:
-    flight, pilot = live("eight", wind), Across(radians(5.0), radians(30.0))
+    flight, pilot = live("eight", wind), Wiggle()
     motions = flown(flight, piloted(pilot), 30.0)
     assert pilot.crossed > 5
     assert passed_at(only("eight", flight), motions) is None
 
 
+def drawn(eight: bool, size: float, way: float) -> list[Advice]:
+    """What is said of an eight or a circle, `size` [rad] to each side of the middle."""
+    lesson, motion, said, twist = Eight(), live("eight").restart().motion, [], 0.0
+    before = None
+    for s in np.arange(-1.2, 4 * pi, 0.05):
+        high, dy = (sin(2 * s), 2 * cos(2 * s)) if eight else (-2 * cos(s), 2 * sin(s))
+        heading = way * atan2(size * cos(s), 0.14 * dy)
+        twist += turned(heading - before) / (2 * pi) if before is not None else 0.0
+        before = heading
+        seen = Sight(way * size * sin(s), radians(45.0) + 0.14 * high, heading, 0.0)
+        said.append(lesson.watch(Look(motion._replace(t=float(s)), seen, 0.0, twist, 0.0)))
+    return said
+
+
 @pytest.mark.parametrize("way", [-1.0, 1.0])
-@pytest.mark.parametrize("untwists", [True, False])
-def test_circles_are_no_eight_and_that_is_said(way: float, untwists: bool) -> None:
-    """Seen from the pilot: round and round, or round one way and then the other."""
-    lesson, resting, said = Eight(), live("eight").restart().motion, []
-    for i in range(1200):
-        t = i * 0.01
-        turn = 2 * pi * t / 4.0 - pi  # from the left end of the lower crossing, 4 s for a round
-        round_left = untwists and (t // 4.0) % 2 == 1
-        azimuth = way * 0.5 * (-1 if round_left else 1) * (1 + cos(turn) if untwists else sin(turn))
-        heading = turned(way * (turn + pi / 2 if not round_left else -turn - pi / 2))
-        del azimuth, heading
-        said.append("")
-    assert lesson
-    assert resting
+def test_an_eight_is_wide_enough_and_no_circle(way: float) -> None:
+    assert max(advice.progress for advice in drawn(True, radians(25.0), way)) == 1.0
+    assert max(advice.progress for advice in drawn(True, radians(12.0), way)) < 1.0
+    circles = drawn(False, radians(25.0), way)
+    assert max(advice.progress for advice in circles) < 1.0
+    assert circles[-1].text.startswith("That was a circle, not an eight")
 
 
 @pytest.mark.parametrize("held", [-1.0, -0.5, -0.2, 0.2, 0.5, 1.0])

@@ -11,7 +11,7 @@ from kitemj.errors import InputError
 from kitemj.tables import Table
 from kitemj.thesis import answers, parameters, report, standing
 from kitemj.thesis.section import Answer, Drawing, Named, Section, Verdict
-from kitemj.thesis.words import heading, shown
+from kitemj.thesis.words import heading, shown, typeset
 
 ROOT = Path(__file__).parents[2]
 CHEAP = (parameters, standing)
@@ -185,6 +185,20 @@ def test_numbers_are_written_for_people(cell, text):
 
 
 def test_units_of_columns_are_written_for_people():
-    assert heading("beta_max_deg") == "beta max [°]"
+    assert heading("beta_max_deg") == "β max [°]"
+    assert heading("C_lβ") == "C<sub>lβ</sub>"
     assert heading("growth_per_s") == "growth [1/s]"
     assert heading("within_limits") == "within limits"
+
+
+@pytest.mark.parametrize(
+    ("text", "html"),
+    [
+        ("C_lβ = -0.1", "C<sub>lβ</sub> = −0.1"),
+        ("|δ̇_max| < 3e-07 rad", "|δ̇<sub>max</sub>| &lt; 3 · 10⁻⁷ rad"),
+        ("Fun_Post_KA and kitemj/thesis/free_and_steered.py", None),
+        ("newton-euler, Figures 3-5", None),
+    ],
+)
+def test_sentences_are_typeset(text, html):
+    assert typeset(text) == (html or text)
