@@ -1,4 +1,4 @@
-"""Makes the pictures of README and docs: each view, each instrument, two alarms, the help page.
+"""Makes the pictures of README and docs: views, instruments, alarms, a lesson, a crash, help.
 
     python scripts/screenshots.py [FOLDER]       (docs/ if left out)
 
@@ -16,15 +16,17 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from kitemj.cockpit.actions import HELP
 from kitemj.cockpit.history import History, Traces
 from kitemj.cockpit.instruments import PANELS, Instruments
 from kitemj.cockpit.pacing import Pacer
 from kitemj.cockpit.picture import VIEWS, Picture, Readings
-from kitemj.cockpit.actions import HELP
 from kitemj.cockpit.shows import show_of
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.compare import position_gap
-from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.course import Course
+from kitemj.flight.crash import FirstTouch
+from kitemj.flight.live import TICK, Command, LiveFlight
 from kitemj.flight.scenario import Scenario, read_scenario, scenario_of
 from kitemj.flight.simulate import simulate
 from kitemj.physics.parameter_files import read_toml
@@ -35,6 +37,7 @@ SMALL = (960, 540)
 LOOP = ROOT / "scenarios" / "loops_20m.toml"
 LOOP_AT = 5.4  # s
 LIVE = 20.0  # s
+LESSON_AT = 1.2  # s
 HARDER, SLACK_AT = 1.2, 2.6
 """The loop with so much more δ, in which the outer line goes slack, and when [s]."""
 
@@ -132,6 +135,36 @@ def views_and_instruments(folder: Path) -> None:
             save(folder, f"instrument_{name}", part, box.size)
 
 
+def first_flight(folder: Path) -> None:
+    """The first lesson, and what comes of a stick that is held to the left."""
+    flight = LiveFlight(scenario_of({"set": "sport", "duration": 60.0}, "first flight"))
+    course, ground = Course(flight.parameters), FirstTouch(flight.parameters)
+    history, left, moment = History(flight.parameters), Command(-1.0), flight.moment
+    wish = -flight.parameters.stick.delta
+    with Picture(flight.parameters, *SIZE) as picture:
+
+        def paint(name: str) -> None:
+            traces = history.traces(moment.motion.t)
+            readings = Readings(
+                gap=moment.gap,
+                delta_command=wish,
+                stick="keys",
+                traces=traces,
+                lesson=course.standing,
+                touch=ground.touch,
+            )
+            frame = picture.paint(moment.motion, moment.reference, readings)
+            save(folder, name, frame, SMALL)
+
+        while not ground.watch(moment.motion):
+            moment = flight.tick(left)
+            history.add(moment.motion.t, moment.motion)
+            course.watch(moment.motion)
+            if flight.ticks == round(LESSON_AT / TICK):
+                paint("lesson")
+        paint("crash")
+
+
 def alarms(folder: Path) -> None:
     """Beyond a limit."""
     harder = dict(read_toml(LOOP))
@@ -150,4 +183,5 @@ if __name__ == "__main__":
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs"
     views_and_instruments(target)
     alarms(target)
+    first_flight(target)
     live(target)

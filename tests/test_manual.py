@@ -8,6 +8,7 @@ import os
 import re
 import runpy
 import shlex
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -114,6 +115,7 @@ def desk(tmp_path_factory):
         (folder / kind).mkdir()
         for file in (ROOT / kind).glob("*.toml"):
             (folder / kind / file.name).write_text(cut(file.read_text()))
+    shutil.copytree(ROOT / "scenarios" / "sticks", folder / "scenarios" / "sticks")
     return folder
 
 

@@ -192,8 +192,7 @@ class Eight:
 
     def _cross(self, side: float, look: Look) -> None:
         new = Crossing(look.motion.t, side, look.twist)
-        across = 45.0 < side * degrees(look.sight.heading) < 150.0
-        if not across or self._reach < WIDE:
+        if self._reach < WIDE:
             self._crossings = []
         elif self._crossings and new.t - self._crossings[-1].t > LAZY:
             self._crossings = [new]

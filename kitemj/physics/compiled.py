@@ -58,8 +58,9 @@ _strangers: set[Path] = set()
 def compiled(function: F) -> F:
     """Machine code for `function`, kept on disk, free of the interpreter's lock."""
     machine_code: Any = njit(**OPTIONS)(function)
-    _formulas.append(machine_code)
-    _keep([machine_code])
+    if machine_code is not function:  # numba can be told to leave everything Python
+        _formulas.append(machine_code)
+        _keep([machine_code])
     return machine_code  # type: ignore[no-any-return]
 
 

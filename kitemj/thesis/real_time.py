@@ -54,8 +54,8 @@ ANSWERS = (
 )
 NEED_PICTURE = {f"Figure {number}" for number in (38, 39, 40, 41, 42)}
 
-SECONDS = 6.0
-"""Of each flight."""
+SECONDS = 5.5
+"""Of each flight: the rarest picture and the rarest move come every 5 s."""
 
 SIZE = (1280, 720)
 SMOOTH = 1 / 30

@@ -30,8 +30,10 @@ UNITS = {
 GREEK = {"alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "theta": "θ", "omega": "ω"}
 GREEK |= {"phi": "φ", "eta": "η", "ell": "ℓ"}
 
-INDEX = re.compile(r"(?<![\w_])([^\W\d_][\u0307\u0308]?)_(\w+)\b(?![._/])")
+INDEX = re.compile(r"(?<![\w_])([^\W\d_][\u0307\u0308]?)_(\w+)\b(?![_/]|\.\w)")
 """One letter, perhaps dotted, and what is written below it; not the names of files."""
+DOTTED = re.compile(r"([^\W\d_])([\u0307\u0308])")
+"""Dots over a tall letter vanish in it in many fonts: the page's style draws them higher."""
 POWER = re.compile(r"(?<=\d)e([+-]?\d+)\b")
 MINUS = re.compile(r"(?<![\w-])-(?=\d)")
 
@@ -39,8 +41,14 @@ MINUS = re.compile(r"(?<![\w-])-(?=\d)")
 def typeset(text: str) -> Markup:
     """Text as HTML: `C_lβ` with its index lowered, `3e-7` with its power raised, true minus."""
     html = MINUS.sub("−", str(escape(text)))
-    html = POWER.sub(lambda found: f" · 10{_raised(int(found[1]))}", html)
-    return Markup(INDEX.sub(r"\1<sub>\2</sub>", html))
+    html = POWER.sub(lambda found: f"\u00a0·\u00a010{_raised(int(found[1]))}", html)
+    html = INDEX.sub(r"\1<sub>\2</sub>", html.replace(" %", "\u00a0%"))
+    return Markup(DOTTED.sub(_dotted, html))
+
+
+def _dotted(found: re.Match[str]) -> str:
+    dots = "˙" if found[2] == "\u0307" else "¨"
+    return f'<span class="dotted" data-dots="{dots}" aria-label="{found[0]}">{found[1]}</span>'
 
 
 def heading(column: str) -> Markup:

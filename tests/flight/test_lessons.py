@@ -232,6 +232,13 @@ def test_a_loop_that_shows_its_nose_to_the_left_is_no_turn_to_the_left() -> None
     assert passed_at(only("turn-left", flight), motions[10:]) is None
 
 
+def test_a_loop_is_no_turn() -> None:
+    flight = live("turn-left")
+    motions = flown(flight, piloted(pilots.Loop(-1.0)), 15.0)
+    assert passed_at(only("loop-left", flight), motions)
+    assert passed_at(only("turn-left", flight), motions) is None
+
+
 class Wiggle:
     """To and fro about the middle, the nose never far from up."""
 

@@ -5,6 +5,7 @@ from math import isnan
 
 import pytest
 
+from kitemj.thesis import other_work
 from kitemj.thesis.other_work import Work, others, work
 
 needs_clock = pytest.mark.skipif(not hasattr(os, "sysconf"), reason="no ticks of the clock")
@@ -16,12 +17,27 @@ def test_own_work_is_taken_off():
 
 @needs_clock
 def test_idle_and_waiting_time_are_no_work(tmp_path):
-    stat, hertz = tmp_path / "stat", os.sysconf("SC_CLK_TCK")
-    stat.write_text("cpu  1 2 4 1000 2000 8 16 32 64 128\ncpu0 9 9 9 9 9 9 9 9 9 9\n")
-    assert work(stat).everyone == (1 + 2 + 4 + 8 + 16 + 32) / hertz
+    hertz = os.sysconf("SC_CLK_TCK")
+    (tmp_path / "stat").write_text("cpu  1 2 4 1000 2000 8 16 32 64 128\ncpu0 9 9 9 9 9 9 9 9\n")
+    assert work(tmp_path).everyone == (1 + 2 + 4 + 8 + 16 + 32) / hertz
+
+
+@needs_clock
+def test_work_of_a_process_of_ours_is_our_own(tmp_path, monkeypatch):
+    class Child:
+        pid = 77
+
+    hertz = os.sysconf("SC_CLK_TCK")
+    (tmp_path / "77").mkdir()
+    fields = "S 1 2 3 4 5 6 7 8 9 10 300 700 13"
+    (tmp_path / "77" / "stat").write_text(f"77 (a name) with) {fields}")
+    monkeypatch.setattr(other_work, "active_children", list)
+    alone = work(tmp_path).own
+    monkeypatch.setattr(other_work, "active_children", lambda: [Child()])
+    assert work(tmp_path).own - alone == pytest.approx(1000 / hertz, abs=1.0)
 
 
 def test_where_nothing_is_told_it_is_not_a_number(tmp_path):
-    unknown = work(tmp_path / "none")
+    unknown = work(tmp_path)
     assert isnan(unknown.everyone)
-    assert isnan(others(unknown, work(tmp_path / "none")))
+    assert isnan(others(unknown, work(tmp_path)))

@@ -2,29 +2,24 @@
 
 import subprocess
 import sys
-from typing import ClassVar
 
 import numpy as np
 import pytest
 
+from kitemj.cockpit.flight_process import News
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
 from kitemj.thesis import real_time
 from kitemj.thesis.answers import not_shown
-from kitemj.thesis.real_time import ANSWERS, CASES, Case, Run, flown, section, the_flight
+from kitemj.thesis.real_time import ANSWERS, CASES, Case, Run, flown, section
 from kitemj.thesis.section import Verdict
+from kitemj.thesis.watching import Painted, Watched
 
 SHORT = 0.2  # s
-PAINTING = Case("display", "a picture every 0.05 s", 0.05)
-MOVING = Case("input", "stick moved every 1 ms", None, 0.001)
+STILL = Case("display", "no picture")
 
 
-@pytest.fixture(scope="module")
-def flight():
-    return the_flight()
-
-
-def run_of(late, case=MOVING, lost=0.0):
+def run_of(late, case=STILL, lost=0.0):
     return Run(case, TICK * np.array(late), [], 0, lost, 0.0)
 
 
@@ -43,52 +38,28 @@ def test_real_time_is_kept_or_not():
     assert run_of([0.1]).last_missed == 0.0
 
 
-def test_every_tick_is_counted_and_the_stick_moves_while_it_flies(flight):
-    run = flown(MOVING, SHORT, flight, None)
-    assert len(run.late) == round(SHORT / TICK)
-    assert run.frames == []
-    assert run.late.min() > 0  # nothing is done before it is due
-    assert run.moves > 1
+def test_what_was_watched_is_what_is_told(monkeypatch):
+    ticks = [News(0.0, 0.0, None, None, late, None, None, "") for late in (0.001, 0.02)]
+    frames = [Painted(0.1, 0.03)]
+    asked = {}
 
+    def watch(physics, count, opened=None, interval=None, hand=None):
+        asked.update(count=count, opened=opened, interval=interval)
+        return Watched(ticks, frames, 0.25)
 
-def test_the_stick_goes_from_side_to_side(flight):
-    class Still:
-        sides: ClassVar[list[float]] = []
-        alive = 7
-
-        def is_alive(self):
-            self.alive -= 1
-            return self.alive > 0
-
-        def __setattr__(self, name, value):
-            if name == "command":
-                self.sides.append(value.delta)
-            super().__setattr__(name, value)
-
-    pacer = Still()
-    hand = real_time.Hand(pacer, 0.0)
-    hand.run()
-    assert pacer.sides == [1.0, -1.0] * 3
-    assert hand.moves == 6
-
-
-def test_frames_are_painted_at_their_interval(flight):
-    class Picture:
-        seen: ClassVar[list[float]] = []
-
-        def paint(self, motion, ghost, readings):
-            self.seen.append(motion.t)
-
-    picture = Picture()
-    run = flown(PAINTING, SHORT, flight, lambda: picture)
-    assert len(run.frames) == len(picture.seen) >= 1
-    starts = np.array([frame.t for frame in run.frames])
-    assert (np.diff(starts) > 0.9 * PAINTING.frames).all()  # the clocks of sleep and measure differ
+    monkeypatch.setattr(real_time, "watch", watch)
+    case = Case("display", "a picture every 2 s", 2.0)
+    run = flown(case, SHORT, None, lambda: None)
+    assert (asked["count"], asked["interval"]) == (round(SHORT / TICK), 2.0)
+    assert run.late.tolist() == [0.001, 0.02]
+    assert (run.frames, run.lost, run.moves) == (frames, 0.25, 0)
+    flown(case, SHORT, None, None)
+    assert asked["opened"] is None
 
 
 def test_the_file_of_the_cold_start_loads_nothing_that_paints():
     code = (
-        "import sys, kitemj.thesis.real_time as r; r.the_flight();"
+        "import sys, kitemj.thesis.real_time, kitemj.cockpit.flight_process;"
         "print([m for m in sys.modules if m.startswith(('OpenGL', 'mujoco.egl'))"
         " or m == 'kitemj.cockpit.picture'])"
     )

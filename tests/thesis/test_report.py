@@ -178,7 +178,13 @@ def test_bad_names_are_a_sentence_and_status_2(name, tmp_path, capsys):
 
 @pytest.mark.parametrize(
     ("cell", "text"),
-    [(True, "yes"), (0.0, "0"), (-0.1, "−0.1"), (1.3e-12, "1.3 · 10⁻¹²"), (float("nan"), "–")],
+    [
+        (True, "yes"),
+        (0.0, "0"),
+        (-0.1, "−0.1"),
+        (1.3e-12, "1.3\u00a0·\u00a010⁻¹²"),
+        (float("nan"), "–"),
+    ],
 )
 def test_numbers_are_written_for_people(cell, text):
     assert shown(cell) == text
@@ -195,10 +201,17 @@ def test_units_of_columns_are_written_for_people():
     ("text", "html"),
     [
         ("C_lβ = -0.1", "C<sub>lβ</sub> = −0.1"),
-        ("|δ̇_max| < 3e-07 rad", "|δ̇<sub>max</sub>| &lt; 3 · 10⁻⁷ rad"),
+        ("depends on C_lβ.", "depends on C<sub>lβ</sub>."),
+        ("x_E < 3e-07 m", "x<sub>E</sub> &lt; 3\u00a0·\u00a010⁻⁷ m"),
         ("Fun_Post_KA and kitemj/thesis/free_and_steered.py", None),
         ("newton-euler, Figures 3-5", None),
     ],
 )
 def test_sentences_are_typeset(text, html):
     assert typeset(text) == (html or text)
+
+
+def test_dots_are_drawn_where_they_are_seen():
+    html = typeset("|δ̈_max|")
+    assert 'data-dots="¨"' in html
+    assert html.endswith(">δ</span><sub>max</sub>|")

@@ -5,7 +5,7 @@ from math import degrees
 import numpy as np
 import pytest
 
-from kitemj.dynamics.survey import BETA
+from kitemj.dynamics.survey import ALPHA, BETA, TENSION_MINUS, TENSION_PLUS
 from kitemj.flight.live import TICK
 from kitemj.physics.steering import control, line_motion, rest_ell
 from kitemj.stability.minimal import held
@@ -84,6 +84,27 @@ def test_beta_rises_with_the_rate_of_the_hands_and_hardly_with_their_acceleratio
     beta = {case: limits.largest_beta(length, each, hand) for case, each in limits.CASES.items()}
     assert beta[2] > beta[3] > beta[1]
     assert abs(beta[4] - beta[3]) < 0.2 * (beta[3] - beta[1])
+
+
+@pytest.mark.parametrize("case", limits.CASES)
+def test_beta_is_what_the_hand_changes_most_in_parts_of_the_limits(case):
+    rows, given = limits.flight(80.0, limits.CASES[case], FULL), scenario(80.0).parameters.limits
+    beta = np.ptp(np.abs(rows[:, BETA])) / given.beta_max
+    assert beta > 2 * np.ptp(rows[:, ALPHA]) / given.alpha_stall
+    for side in (TENSION_PLUS, TENSION_MINUS):
+        assert beta > 2 * np.ptp(rows[:, side]) / given.tension_max
+
+
+def test_the_way_of_the_hands_matters_most_then_their_rate():
+    shares = [row[-1] for row in limits.sensitivity_table().rows]
+    assert shares[0] > 3 * shares[1] > 0
+    assert shares[1] > 10 * abs(shares[2])
+
+
+def test_sudden_hands_meet_slack_lines_long_before_the_limit_of_beta():
+    rows = limits.flight(80.0, limits.Case(0.1, 1.0, 10.0), FULL)
+    assert rows[:, TENSION_PLUS : TENSION_MINUS + 1].min() < 0.0
+    assert degrees(np.abs(rows[:, BETA]).max()) < 5.0
 
 
 def test_slow_hands_leave_the_beta_of_the_standing_kite():
