@@ -85,14 +85,16 @@ class Turn:
     """The nose to one side and off that way, then up again."""
 
     def __init__(self, side: float) -> None:
-        self._side, self._held, self._aside = side, Held(), False
+        self._side, self._held = side, Held()
+        self._aside = self._spun = False
 
     def watch(self, look: Look) -> Advice:
-        """Turned, away from the middle, upright."""
+        """Turned, away from the middle, upright; what swings after a loop is no turn."""
         nose = self._side * degrees(look.turned) / NOSE
         away = self._side * degrees(look.sight.azimuth) / AWAY
-        self._aside = nose < ROUND and (self._aside or min(nose, away) >= 1)
-        held = self._held.look(self._aside and look.upright, look.motion.t)
+        held = self._held.look(look.upright, look.motion.t)
+        self._spun = abs(nose) > ROUND or (self._spun and held < STEADY)
+        self._aside = not self._spun and (self._aside or min(nose, away) >= 1)
         parts = max(0.0, min(nose, 1.0)) + max(0.0, min(away, 1.0))
         progress = 0.6 + 0.4 * min(held / STEADY, 1.0) if self._aside else 0.3 * parts
         advice = danger(look) or (self._back(look) if self._aside else self._off(look))

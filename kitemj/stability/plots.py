@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+
 def trim_figure(trims: list[Trim]) -> Figure:
     """The equilibria from the side: the lines to scale, the kite enlarged, at its pitch."""
     figure, (ax,) = _figure(1)
