@@ -53,7 +53,7 @@ KEYS = {key: action.name for action in ACTIONS for key in action.keys} | TOGGLES
 NAMES = frozenset(KEYS.values())
 
 HELP = (
-    "Left stick, arrow keys, A D\tsteer (Shift: gently); the knob shows which hand pulls",
+    "Left stick, arrow keys, A D\tsteer (Shift: fully); the knob shows which hand pulls",
     "Mouse, left button held\tsteer as far as from the middle",
     "Right stick, W S\tlet line out, take it in",
     "Mouse, right button, wheel\tturn and near the orbit view",

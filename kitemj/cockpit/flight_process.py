@@ -17,7 +17,9 @@ from typing import Any, NamedTuple
 
 from kitemj.cockpit.history import History
 from kitemj.cockpit.pacing import Pacer, Timekeeping, go_first
+from kitemj.dynamics.motion import State
 from kitemj.errors import FlightError, InputError
+from kitemj.flight.course import Course
 from kitemj.flight.crash import Touch
 from kitemj.flight.live import Command, LiveFlight, Moment
 from kitemj.flight.scenario import Scenario
@@ -39,10 +41,17 @@ class Setup(NamedTuple):
     record: Path | None = None
     overwrite: bool = False
     past: tuple[Flown, ...] = ()
+    other_starts: tuple[State, ...] = ()
+    start_at: int = 0
 
     def flight(self) -> LiveFlight:
         """A flight at its start."""
-        return LiveFlight(self.scenario, self.model, self.reference, self.step)
+        return LiveFlight(self.scenario, self.model, self.reference, self.step, self.other_starts)
+
+
+def with_lessons(setup: Setup, course: Course) -> Setup:
+    """The same, with the course's own start as the second one, and begun there if it wants to."""
+    return setup._replace(other_starts=course.starts, start_at=int(course.start is not None))
 
 
 class News(NamedTuple):
@@ -72,6 +81,12 @@ class End(NamedTuple):
     bad_input: bool = False
 
 
+class StartAt(NamedTuple):
+    """Where the next restart goes to."""
+
+    start: int
+
+
 class Stop(NamedTuple):
     """The last wish."""
 
@@ -94,7 +109,7 @@ class FlightProcess:
         self._told: Any = context.Queue()
         self._ready = False
         self.moment: Moment
-        self._rate, self._command = 1.0, Command()
+        self._rate, self._command, self._start_at = 1.0, Command(), setup.start_at
         self._heard: list[News] = []
         self._t = 0.0  # s of flight that is known of
         self._process = context.Process(
@@ -132,6 +147,17 @@ class FlightProcess:
         if rate != self._rate:
             self._rate = rate
             self._tell(rate)
+
+    @property
+    def start_at(self) -> int:
+        """As `Pacer.start_at`."""
+        return self._start_at
+
+    @start_at.setter
+    def start_at(self, start: int) -> None:
+        if start != self._start_at:
+            self._start_at = start
+            self._tell(StartAt(start))
 
     @property
     def command(self) -> Command:
@@ -203,7 +229,8 @@ class _Reporter(Pacer):
         told: Any,
     ) -> None:
         self._link, self._told, self.ending, self._begun = link, told, "", 0.0
-        super().__init__(flight, History(flight.parameters), recorder, setup.past)
+        history = History(flight.parameters)
+        super().__init__(flight, history, recorder, setup.past, setup.start_at)
 
     def _wish(self) -> None:
         wish = _next_wish(self._link)
@@ -212,6 +239,8 @@ class _Reporter(Pacer):
             self._stopping.set()
         elif isinstance(wish, Command):
             self.command = wish
+        elif isinstance(wish, StartAt):
+            self.start_at = wish.start
         elif isinstance(wish, float):
             self.rate = wish
         else:
@@ -249,7 +278,7 @@ def _fly(setup: Setup, link: Connection, told: Any) -> None:
 def _flown(setup: Setup, link: Connection, told: Any) -> End:
     flight = setup.flight()
     flight.warm_up()
-    told.put(Ready(flight.restart()))
+    told.put(Ready(flight.restart(setup.start_at)))
     if isinstance(_next_wish(link), Stop):  # anything but time's beginning
         return End("none")
     recorder = None

@@ -57,6 +57,7 @@ class Physics(Protocol):
     times: Timekeeping
     rate: float
     command: Command
+    start_at: int
 
     @property
     def touch(self) -> Touch | None:
@@ -90,7 +91,8 @@ def fly(
     """Flies until the screen is left, Ctrl-C, or `duration` [s] of wall time have passed.
 
     `called` [s, perf_counter]: since when the first frame is waited for; now, if left out.
-    `course`: the lessons; it watches what is painted.
+    `course`: the lessons; it watches what is painted, and the flight's second start is that
+    of the course.
     Raises what ended the flight, if anything did, once the screen is closed.
     """
     called = called or time.perf_counter()
@@ -132,6 +134,7 @@ def _grant(wishes: Wishes, physics: Physics, picture: Picture, course: Course | 
     """What the person wants of time, picture and lessons."""
     deeds, turn, zoom = wishes.taken()
     physics.rate = wishes.rate
+    physics.start_at = 1 if course and course.start else 0
     for deed in deeds:
         if deed in FLIGHT_DEEDS:
             physics.ask(deed)

@@ -16,7 +16,7 @@ GAP = 8  # units between things that lie above one another
 SIZES = (26, 24, 22, 20, 18)  # of the advice, the first that fits in two lines
 LEADING = 1.45  # of lines, in digit heights
 CHEVRONS = (0.1, 0.3, 0.7)  # of the stick's way, from which on each is lit
-HINT = "N: next lesson     B: begin again"
+HINT = "N: next   B: begin again   Shift + key: fully"
 
 
 def paint_lesson(

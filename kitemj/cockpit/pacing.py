@@ -57,7 +57,8 @@ class Pacer(threading.Thread):
     """Flies ticks as they come due; `command` is written to it, `moment` read from it.
 
     Both are replaced whole, so neither side waits for the other. `rate` is simulated over
-    wall time: 1 is real time, 0 a pause; it may be changed at any moment. A kite that met the
+    wall time: 1 is real time, 0 a pause; it may be changed at any moment. `start_at`: which
+    of the flight's starts the next restart goes to. A kite that met the
     ground stays as it met it until somebody goes back or begins again. `error` holds what
     ended the flight, if anything did; `history` and `recorder` are told of every tick.
     """
@@ -68,12 +69,14 @@ class Pacer(threading.Thread):
         history: History,
         recorder: Recorder | None = None,
         past: Iterable[Flown] = (),
+        start_at: int = 0,
     ) -> None:
         """`past`: ticks that are flown at once, before the first that is paced."""
         super().__init__(name="physics", daemon=True)
         self.flight, self.history, self.recorder = flight, history, recorder
         self.model, self.parameters = flight.kite.name, flight.parameters
         self.command, self.rate = Command(), 1.0
+        self.start_at = start_at
         self.times = Timekeeping()
         self.error: Exception | None = None
         self._kept, self._leg = KeptStates(), -1
@@ -171,7 +174,7 @@ class Pacer(threading.Thread):
     def _restart(self) -> None:
         self._kept.forget()
         self._begin_leg()
-        self.moment = self.flight.restart()
+        self.moment = self.flight.restart(self.start_at)
         self._tell(Command(), 0.0)
 
     def _begin_leg(self) -> None:
@@ -192,7 +195,8 @@ class Pacer(threading.Thread):
         self.history.add(time.perf_counter(), moment.motion, lateness)
         if self.recorder:
             control = flight.segment.control
-            self.recorder.add(Tick(flight.ticks, control, command, moment, lateness, resumed))
+            tick = Tick(flight.ticks, control, command, moment, lateness, resumed, self.start_at)
+            self.recorder.add(tick)
 
     @staticmethod
     def _wait(due: float) -> None:

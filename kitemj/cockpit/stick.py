@@ -20,8 +20,8 @@ __all__ = ["PersonStick", "PilotStick", "ProgrammedStick", "Stick"]
 ASKS = ("an angle δ, to which the hands go", "a rate of δ", "an acceleration of δ")
 """What each law means, in words."""
 
-GENTLE = 0.4
-"""Of the full way: keys held with Shift."""
+USUAL = 0.4
+"""Of the full way: keys; with Shift they ask for all of it, which few kites forgive for long."""
 
 
 class Stick(Protocol):
@@ -48,7 +48,7 @@ class PersonStick:
     """Held keys, the mouse with its button held, and the pad that was moved last.
 
     Whatever of these is away from its centre steers, in that order. `law` and `two_sticks`
-    may be changed in flight. Keys ask for the full way at once: the limits on how fast and
+    may be changed in flight. Keys ask for their way at once: the limits on how fast and
     how suddenly lines move make that a ramp, so a short press is a small deflection.
 
     Needs pygame's display module; `handle` is to see every event.
@@ -113,7 +113,7 @@ class PersonStick:
 def _held_keys() -> Hands:
     """Arrows or A D W S for one stick; W S for the left line, ↑ ↓ for the right one."""
     held = pygame.key.get_pressed()
-    full = GENTLE if pygame.key.get_mods() & pygame.KMOD_SHIFT else 1.0
+    full = 1.0 if pygame.key.get_mods() & pygame.KMOD_SHIFT else USUAL
 
     def between(less: tuple[int, ...], more: tuple[int, ...]) -> float:
         return full * (any(held[key] for key in more) - any(held[key] for key in less))

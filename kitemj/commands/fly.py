@@ -65,7 +65,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(words: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.cockpit.flight_process import FlightProcess
+    from kitemj.cockpit.flight_process import FlightProcess, with_lessons
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.picture import Picture
     from kitemj.cockpit.progress import write_progress
@@ -80,11 +80,11 @@ def run(words: argparse.Namespace) -> int:
         path, duration = _film_path(words), duration or SHOW_DURATION
         why = "as asked, no window" if words.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
-    physics = FlightProcess(setup)
+    course = None if path else _course(words)
+    physics = FlightProcess(with_lessons(setup, course) if course else setup)
     with Picture(parameters, *pixels) as picture:
         physics.wait()
         screen = _film(words, path, programme, parameters) if path else None
-        course = None if screen else _course(words)
         screen = screen or _window(setup.scenario, pixels, programme)
         screen.wishes.view = words.view
         print(fly(physics, picture, screen, duration, words.called, course))

@@ -18,6 +18,8 @@ PRAISED = 3.0
 READING = 0.4
 """s for which an advice stays at least: the kite may change faster than one reads."""
 
+ASIDE = 0.3
+"""rad; by how much η is turned to the left for a lesson that begins there."""
 NOTHING = Advice("", 0.0)
 NEVER_MIND = "Never mind, that is how one learns"
 FINISHED = "You have passed them all. The sky is yours"
@@ -26,18 +28,18 @@ FINISHED = "You have passed them all. The sky is yours"
 class Entry(NamedTuple):
     """A lesson in the course: its name in files, its title, and how an attempt begins.
 
-    `begin` is told the elevation of rest [rad]. `aside` [rad]: by how much η is turned, to
-    the left, where a flight begins for this lesson.
+    `begin` is told the elevation of rest [rad]. `aside`: whether a flight begins off to the
+    left for this lesson.
     """
 
     key: str
     title: str
     begin: Callable[[float], Lesson]
-    aside: float = 0.0
+    aside: bool = False
 
 
 LESSONS = (
-    Entry("top", "Hold the top", Top, 0.3),
+    Entry("top", "Hold the top", Top, aside=True),
     Entry("turn-left", "Turn left", lambda rest: Turn(LEFT)),
     Entry("turn-right", "Turn right", lambda rest: Turn(RIGHT)),
     Entry("loop-left", "A loop to the left", lambda rest: Loop(LEFT)),
@@ -89,10 +91,13 @@ class Course:
     @property
     def start(self) -> State | None:
         """Where a flight should begin for this lesson; None: anywhere."""
-        if not self.lesson or not self.lesson.aside:
-            return None
+        return self.starts[0] if self.lesson and self.lesson.aside else None
+
+    @property
+    def starts(self) -> tuple[State]:
+        """The one start that lessons have besides the equilibrium: off to the left."""
         q, q_dot = self._rest
-        return State(q._replace(eta=q.eta + self.lesson.aside), q_dot)
+        return (State(q._replace(eta=q.eta + ASIDE), q_dot),)
 
     @property
     def standing(self) -> Standing:

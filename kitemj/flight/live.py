@@ -8,7 +8,7 @@ of clocks or screens.
 from math import isfinite
 from typing import NamedTuple
 
-from kitemj.dynamics.motion import Motion, Snapshot
+from kitemj.dynamics.motion import Motion, Snapshot, State
 from kitemj.errors import FlightError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.scenario import Scenario
@@ -57,7 +57,10 @@ class Saved(NamedTuple):
 
 
 class LiveFlight:
-    """The model `model` beside the model `reference`, both started as `scenario` says."""
+    """The model `model` beside the model `reference`, both started as `scenario` says.
+
+    `other_starts` are more states to begin at; `starts` has them all, the scenario's first.
+    """
 
     def __init__(
         self,
@@ -65,23 +68,25 @@ class LiveFlight:
         model: str = "mujoco",
         reference: str = "lagrange",
         step: float = DEFAULT_STEP,
+        other_starts: tuple[State, ...] = (),
     ) -> None:
         parameters = scenario.parameters
+        self.starts = (scenario.start, *other_starts)
         self.scenario, self.parameters, self.step = scenario, parameters, step
         self.kite = make_model(model, parameters, step)
         self.ghost = make_model(reference, parameters, step)
         self.ell_rest = rest_ell(parameters.lines.length, parameters.kite.y_A)
         self.restart()
 
-    def restart(self) -> Moment:
-        """Back to the scenario's start, lines still; the first moment of the flight."""
+    def restart(self, start: int = 0) -> Moment:
+        """Back to that of the `starts`, lines still; the first moment of the flight."""
         at_start = control(self.scenario.programme, 0.0)
         still = Control(at_start.ell, 0.0, 0.0, at_start.delta, 0.0, 0.0)
         self.ticks = 0
         self.segment = Segment(0.0, still)
         self._following = True
-        self.kite.start(self.scenario.start, self.segment)
-        self.ghost.start(self.scenario.start, self.segment)
+        self.kite.start(self.starts[start], self.segment)
+        self.ghost.start(self.starts[start], self.segment)
         self.moment = self._moment(still.delta)
         return self.moment
 

@@ -55,5 +55,6 @@ def past_of(recording: Recording, at: float | None = None) -> Past:
     header, first = recording.header, segments[0].control
     held = Sines(ell=first.ell, delta=first.delta)
     times = Times(duration=60.0)  # a live flight has no end
-    scenario = Scenario(header.scenario, recording.parameters, held, header.state, times)
+    start = header.states[recording.columns["start"][rows[0]]]
+    scenario = Scenario(header.scenario, recording.parameters, held, start, times)
     return Past(scenario, header.model, header.reference, header.step, ticks)

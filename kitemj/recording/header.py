@@ -24,7 +24,7 @@ PACKAGES = ("kitemj", "mujoco", "numba", "llvmlite", "numpy", "ruckig")
 
 @dataclass(frozen=True)
 class Header:
-    """Model, reference, their longest `step` [s], the `tick` [s], parameters and start.
+    """Model, reference, their longest `step` [s], the `tick` [s], parameters and starts.
 
     `versions` of the packages, of Python and of the machine; `seeds` by name (nothing in a
     flight is random so far). Floats survive the way through JSON to the last bit.
@@ -35,7 +35,7 @@ class Header:
     reference: str
     step: float
     parameters: dict[str, Any]
-    start: list[list[float]]
+    starts: list[list[list[float]]]
     written: str
     versions: dict[str, str]
     seeds: dict[str, int] = field(default_factory=dict)
@@ -43,10 +43,9 @@ class Header:
     format: int = FORMAT
 
     @property
-    def state(self) -> State:
-        """q [rad] and q̇ [rad/s] at the start of every leg."""
-        q, q_dot = self.start
-        return State(Angles(*q), Angles(*q_dot))
+    def states(self) -> list[State]:
+        """q [rad] and q̇ [rad/s] at which flights begin."""
+        return [State(Angles(*q), Angles(*q_dot)) for q, q_dot in self.starts]
 
     def checked_parameters(self, source: str) -> Parameters:
         """The parameter set; InputError, which names `source`, where it is none."""
@@ -55,14 +54,13 @@ class Header:
 
 def header_of(flight: LiveFlight) -> Header:
     """The header of a live flight that is about to begin."""
-    start = flight.scenario.start
     return Header(
         scenario=flight.scenario.source,
         model=flight.kite.name,
         reference=flight.ghost.name,
         step=flight.step,
         parameters=parameter_tables(flight.parameters),
-        start=[list(start.q), list(start.q_dot)],
+        starts=[[list(start.q), list(start.q_dot)] for start in flight.starts],
         written=datetime.now().astimezone().isoformat(timespec="seconds"),
         versions=present_versions(),
     )

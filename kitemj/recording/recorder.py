@@ -19,7 +19,7 @@ from kitemj.errors import InputError
 from kitemj.flight.output import check_new
 from kitemj.physics.parameters import Parameters
 from kitemj.recording.header import Header, to_json
-from kitemj.recording.table import ALL, LIMITS, NUMBERS, PLACE, Tick, table
+from kitemj.recording.table import ALL, LIMITS, NUMBERS, PLACE, Leg, Tick, table
 
 SUFFIX = ".arrows"
 FLUSH = 0.5
@@ -58,7 +58,8 @@ class Recorder:
         self._parameters, self._schema = parameters, schema(header)
         self._queue: deque[Tick] = deque()
         self._waiting: deque[tuple[int, bytes]] = deque()
-        self._leg, self._parent, self._size, self._given_up = -1, -1, 0, False
+        self._leg, self._starts = Leg(-1, -1, 0), list[int]()
+        self._size, self._given_up = 0, False
         self._sink = io.BytesIO()
         self._stream = pa.ipc.new_stream(self._sink, self._schema)
         try:
@@ -107,10 +108,15 @@ class Recorder:
             return
         legs = []
         for tick in ticks:
-            if tick.tick == 0 or tick.resumed is not None:
-                self._leg += 1
-                self._parent = self._leg if tick.resumed is None else tick.resumed
-            legs.append((self._leg, self._parent))
+            if tick.resumed is not None:
+                start = self._starts[tick.resumed]
+                self._leg = Leg(self._leg.leg + 1, tick.resumed, start)
+                self._starts.append(start)
+            elif tick.tick == 0:
+                number = self._leg.leg + 1
+                self._leg = Leg(number, number, tick.start)
+                self._starts.append(tick.start)
+            legs.append(self._leg)
         columns = table(self._parameters, ticks, legs)
         batch = pa.record_batch(list(columns.values()), schema=self._schema)
         self._stream.write_batch(batch, custom_metadata=about or None)

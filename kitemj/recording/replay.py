@@ -98,7 +98,8 @@ def _flown(
     for row, k, control in zip(way.tolist(), numbers, steering, strict=True):
         if k == 0:
             segment = Segment(0.0, Control(*control))
-            kite.start(recording.header.state, segment)
+            start = recording.header.states[recording.columns["start"][row]]
+            kite.start(start, segment)
         else:
             segment = Segment((k - 1) * tick, Control(*control))
             kite.advance(segment, tick)

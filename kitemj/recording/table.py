@@ -27,11 +27,12 @@ RATES = ("omega_x_B_rad_s", "omega_y_B_rad_s", "omega_z_B_rad_s")
 MOTION = (*COLUMNS, *ATTITUDE, *VELOCITY, *RATES, "airspeed_m_s")
 """Of any model's motion; R_BE takes components in E to components in B, row by row."""
 
-PLACE = ("leg", "tick", "parent")
+PLACE = ("leg", "tick", "parent", "start")
 """Which flight of the recording (each restart begins one), which tick in it; whole numbers.
 
-A leg that does not begin at tick 0 goes on from that tick of the leg `parent`, an earlier one:
-somebody went back in time. Its first row is that tick once more.
+`start` is the state of the header's at which the flight began. A leg that does not begin at
+tick 0 goes on from that tick of the leg `parent`, an earlier one: somebody went back in time.
+Its first row is that tick once more.
 """
 
 STICK = ("stick_delta", "stick_ell", "stick_law")
@@ -59,7 +60,8 @@ NOWHERE = (nan,) * len(REFERENCE)
 class Tick(NamedTuple):
     """What one tick leaves behind; `control` is that of its segment, `lateness` in s.
 
-    `resumed`: the leg that the flight went back to, for the row at which it goes on.
+    `resumed`: the leg that the flight went back to, for the row at which it goes on. `start`:
+    which of the flight's starts it began at, for the row of tick 0.
     """
 
     tick: int
@@ -68,6 +70,15 @@ class Tick(NamedTuple):
     moment: Moment
     lateness: float
     resumed: int | None = None
+    start: int = 0
+
+
+class Leg(NamedTuple):
+    """What the columns of `PLACE` but for the tick say of a leg."""
+
+    leg: int
+    parent: int
+    start: int
 
 
 def motion_row(motion: Motion) -> list[float]:
@@ -76,14 +87,13 @@ def motion_row(motion: Motion) -> list[float]:
     return [*row(motion), *R.x, *R.y, *R.z, *v, *omega, motion.air.speed]
 
 
-def table(
-    parameters: Parameters, ticks: Sequence[Tick], legs: Sequence[tuple[int, int]]
-) -> Columns:
-    """The columns of `ALL` of some ticks; `legs` has the leg and the parent of each."""
+def table(parameters: Parameters, ticks: Sequence[Tick], legs: Sequence[Leg]) -> Columns:
+    """The columns of `ALL` of some ticks; `legs` has the leg of each."""
     rows = [_numbers(tick) for tick in ticks]
     numbers = np.array(rows, np.float64).reshape(len(rows), len(NUMBERS)).T.copy()
     columns: dict[str, NDArray[Any]] = dict(zip(NUMBERS, numbers, strict=True))
-    columns["leg"], columns["parent"] = np.array(legs, np.int32).reshape(len(rows), 2).T.copy()
+    places = np.array(legs, np.int32).reshape(len(rows), len(Leg._fields)).T.copy()
+    columns |= dict(zip(Leg._fields, places, strict=True))
     columns["tick"] = np.array([tick.tick for tick in ticks], np.int32)
     columns |= beyond(parameters, columns)
     columns["ground"] = np.array([_grounded(tick.moment) for tick in ticks], np.bool_)

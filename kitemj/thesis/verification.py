@@ -145,7 +145,7 @@ def all_again(recording: Recording) -> list[Again]:
     exact = [partial(control, segment) for segment in segments]
     straight = Interpolated(segments, tick)
     every = round(THESIS_STEP / tick)
-    parameters, start = recording.parameters, recording.header.state
+    parameters, start = recording.parameters, recording.header.states[0]
     for name, steering, n, rtol, atol in (
         ("ode45, exact", exact, 1, RTOL, ATOL),
         ("ode45 tight, interp1", [straight] * len(segments), 1, TIGHT, TIGHT),

@@ -14,7 +14,7 @@ from kitemj.cockpit.programmed import (
     show,
 )
 from kitemj.cockpit.settings import Feel, Settings
-from kitemj.cockpit.stick import GENTLE, PersonStick, PilotStick
+from kitemj.cockpit.stick import USUAL, PersonStick, PilotStick
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK, Command, LiveFlight
 from kitemj.flight.pilots import Hold, Twist
@@ -67,10 +67,10 @@ def person(desk):
 
 def test_keys_steer_while_they_are_held(person, desk):
     desk.update({pygame.K_d, pygame.K_DOWN})
-    assert person.command(None) == Command(1.0, -1.0)
+    assert person.command(None) == Command(USUAL, -USUAL)
     assert person.name == "keys"
     desk.add(pygame.K_LSHIFT)
-    assert person.command(None) == Command(GENTLE, -GENTLE)
+    assert person.command(None) == Command(1.0, -1.0)
     desk.clear()
     assert person.command(None) == Command(0.0, 0.0)
 
@@ -81,7 +81,7 @@ def test_held_keys_go_before_the_pad_and_give_the_kite_back(person, desk):
     for event in events():
         person.handle(event)
     desk.add(pygame.K_RIGHT)
-    assert person.command(None).delta == 1.0
+    assert person.command(None).delta == USUAL
     desk.clear()
     assert person.command(None).delta == -1.0
 
@@ -114,7 +114,7 @@ def test_a_window_that_loses_focus_lets_go_of_the_mouse(person):
 def test_the_law_may_change_in_flight(person, desk):
     desk.add(pygame.K_RIGHT)
     person.law = StickLaw.ACCELERATION
-    assert person.command(None) == Command(1.0, 0.0, StickLaw.ACCELERATION)
+    assert person.command(None) == Command(USUAL, 0.0, StickLaw.ACCELERATION)
 
 
 def test_settings_say_how_a_flight_begins(desk):
@@ -126,10 +126,10 @@ def test_settings_say_how_a_flight_begins(desk):
 def test_keys_of_each_hand_pull_a_line(person, desk):
     person.two_sticks, person.law = True, StickLaw.RATE
     desk.add(pygame.K_s)  # the left hand pulls: A₊ comes nearer
-    assert person.command(None) == one_line_each(SPORT, 1.0, 0.0)
+    assert person.command(None) == one_line_each(SPORT, USUAL, 0.0)
     desk.clear()
     desk.add(pygame.K_UP)  # the right hand gives line
-    assert person.command(None) == one_line_each(SPORT, 0.0, -1.0)
+    assert person.command(None) == one_line_each(SPORT, 0.0, -USUAL)
     assert person.command(None).law is StickLaw.ANGLE
 
 
@@ -169,7 +169,7 @@ def test_a_mirrored_kite_goes_where_the_stick_points(desk):
     assert not SPORT.stick.mirrored
     person = PersonStick(Settings(), THESIS)
     desk.add(pygame.K_RIGHT)
-    assert person.command(None).delta == -1.0
+    assert person.command(None).delta == -USUAL
     person.close()
     table = [Row(0.0, 0.5)]
     assert ProgrammedStick(table, THESIS).command(At(1.0)).delta == -0.5

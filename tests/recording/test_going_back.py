@@ -7,7 +7,8 @@ from kitemj.cockpit.history import History
 from kitemj.cockpit.kept_states import BACK, EVERY
 from kitemj.cockpit.pacing import Pacer
 from kitemj.errors import InputError
-from kitemj.flight.live import TICK
+from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.scenario import scenario_of
 from kitemj.recording.file import read_recording
 from kitemj.recording.going_on import past_of
 from kitemj.recording.replay import flown_again
@@ -125,3 +126,24 @@ def test_a_moment_that_was_not_flown_is_a_sentence(tmp_path):
     recording, _ = flown(tmp_path / "x.arrows", [100])
     with pytest.raises(InputError, match=r"--at must be in 0 to 1 s.*got 2 s"):
         past_of(recording, 2.0)
+
+
+def test_a_flight_that_begins_at_another_start_is_flown_again_from_there(tmp_path):
+    scenario = scenario_of(SPORT, "test")
+    other = scenario.start._replace(q=scenario.start.q._replace(eta=0.3))
+    flight = LiveFlight(scenario, other_starts=(other,))
+    recorder = recorder_of(flight, tmp_path / "x.arrows")
+    pacer = Pacer(flight, History(flight.parameters), recorder, start_at=1)
+    aside = pacer.moment.motion
+    for start in (0, 1):
+        for _ in range(120):
+            pacer._tick(0.0)
+        pacer.start_at = start
+        pacer.ask("restart")
+        pacer._obey()
+    assert pacer.moment.motion == aside
+    recorder.close("done")
+    recording = read_recording(tmp_path / "x.arrows")
+    assert recording.columns["start"][[leg.start for leg in recording.legs]].tolist() == [1, 0, 1]
+    assert flown_again(recording, "mujoco").identical
+    assert past_of(recording).scenario.start == other

@@ -61,7 +61,7 @@ def test_header_survives_to_the_last_bit():
     flight = live_flight({"set": "laksa", "duration": 1.0, "kite": {"mass": 4.1}, "start": {}})
     header = from_json(to_json(header_of(flight)), "test")
     assert header.checked_parameters("test") == flight.parameters
-    assert header.state == flight.scenario.start
+    assert header.states == [flight.scenario.start]
     assert parameters_in_words(header.parameters) == "laksa with kite.mass = 4.1"
 
 
