@@ -4,93 +4,26 @@ Two threads of one Python share one interpreter; while the painting one has it, 
 has put that one aside, a tick cannot begin. Between processes only news and wishes pass.
 """
 
-import os
 import queue
-import signal
 import time
 from contextlib import suppress
-from dataclasses import replace
-from multiprocessing import get_context
-from multiprocessing.connection import Connection
-from pathlib import Path
-from typing import Any, NamedTuple
 
 from kitemj.cockpit.history import History
-from kitemj.cockpit.pacing import Pacer, Timekeeping, go_first
-from kitemj.dynamics.motion import State
+from kitemj.cockpit.launching import Launched, launch
+from kitemj.cockpit.pacing import Timekeeping
+from kitemj.cockpit.physics_process import End, News, Ready, Setup, StartAt, Stop
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.course import Course
 from kitemj.flight.crash import Touch
-from kitemj.flight.live import Command, LiveFlight, Moment
-from kitemj.flight.scenario import Scenario
-from kitemj.recording.going_on import Flown
-from kitemj.recording.header import header_of
-from kitemj.recording.recorder import Recorder
+from kitemj.flight.live import Command, Moment
 
 PATIENCE = 60.0
 """s; to load and, the first time after an installation, to compile."""
 
 
-class Setup(NamedTuple):
-    """What the process is to fly; `record` names a new recording, None: there is none."""
-
-    scenario: Scenario
-    model: str
-    reference: str
-    step: float
-    record: Path | None = None
-    overwrite: bool = False
-    past: tuple[Flown, ...] = ()
-    other_starts: tuple[State, ...] = ()
-    start_at: int = 0
-
-    def flight(self) -> LiveFlight:
-        """A flight at its start."""
-        return LiveFlight(self.scenario, self.model, self.reference, self.step, self.other_starts)
-
-
 def with_lessons(setup: Setup, course: Course) -> Setup:
     """The same, with the course's own start as the second one, and begun there if it wants to."""
     return setup._replace(other_starts=course.starts, start_at=int(course.start is not None))
-
-
-class News(NamedTuple):
-    """Of one tick: `begun` and `done` [s] on the clock that all processes share."""
-
-    begun: float
-    done: float
-    command: Command
-    moment: Moment
-    lateness: float
-    times: Timekeeping
-    touch: Touch | None
-    problem: str
-
-
-class Ready(NamedTuple):
-    """The flight stands at its start."""
-
-    moment: Moment
-
-
-class End(NamedTuple):
-    """The last news: what became of the recording; `error` is what ended the flight."""
-
-    recording: str
-    error: str = ""
-    bad_input: bool = False
-
-
-class StartAt(NamedTuple):
-    """Where the next restart goes to."""
-
-    start: int
-
-
-class Stop(NamedTuple):
-    """The last wish."""
-
-    ending: str
 
 
 class FlightProcess:
@@ -99,24 +32,19 @@ class FlightProcess:
     `update` brings its attributes up to date. Raises InputError and FlightError from there.
     """
 
-    def __init__(self, setup: Setup) -> None:
-        context = get_context("spawn")
+    def __init__(self, setup: Setup, launched: Launched | None = None) -> None:
+        """`launched`: the process to use, if one was launched before."""
         self.model, self.parameters = setup.model, setup.scenario.parameters
         self.history, self.times = History(self.parameters), Timekeeping()
         self.touch: Touch | None = None
-        self.problem, self._recording, self._ended = "", "none", False
-        self._link, theirs = context.Pipe()
-        self._told: Any = context.Queue()
-        self._ready = False
+        self.problem, self.memory = "", 0.0
         self.moment: Moment
+        self._recording, self._ready, self._ended = "none", False, False
         self._rate, self._command, self._start_at = 1.0, Command(), setup.start_at
         self._heard: list[News] = []
         self._t = 0.0  # s of flight that is known of
-        self._process = context.Process(
-            target=_fly, args=(setup, theirs, self._told), name="physics", daemon=True
-        )
-        self._process.start()
-        theirs.close()
+        self._process, self._link, self._told = launched or launch()
+        self._tell(setup)
 
     def wait(self) -> None:
         """Until the flight stands at its start."""
@@ -213,87 +141,5 @@ class FlightProcess:
             self._heard.append(news)
             self._t = news.moment.motion.t
             self.moment, self.times, self.touch = news.moment, news.times, news.touch
-            self.problem = news.problem
+            self.problem, self.memory = news.problem, news.memory
             self.history.add(news.done, news.moment.motion, news.lateness)
-
-
-class _Reporter(Pacer):
-    """A pacer that takes its wishes from `link` and tells each tick."""
-
-    def __init__(
-        self,
-        setup: Setup,
-        flight: LiveFlight,
-        recorder: Recorder | None,
-        link: Connection,
-        told: Any,
-    ) -> None:
-        self._link, self._told, self.ending, self._begun = link, told, "", 0.0
-        history = History(flight.parameters)
-        super().__init__(flight, history, recorder, setup.past, setup.start_at)
-
-    def _wish(self) -> None:
-        wish = _next_wish(self._link)
-        if isinstance(wish, Stop):
-            self.ending = wish.ending
-            self._stopping.set()
-        elif isinstance(wish, Command):
-            self.command = wish
-        elif isinstance(wish, StartAt):
-            self.start_at = wish.start
-        elif isinstance(wish, float):
-            self.rate = wish
-        else:
-            self._deeds.append(str(wish))
-
-    def _obey(self) -> None:
-        while not self._stopping.is_set() and self._link.poll():
-            self._wish()
-        super()._obey()
-        self._begun = time.perf_counter()
-
-    def _tell(self, command: Command, lateness: float, resumed: int | None = None) -> None:
-        super()._tell(command, lateness, resumed)
-        done, times, problem = time.perf_counter(), replace(self.times), self.problem
-        self._told.put(
-            News(self._begun, done, command, self.moment, lateness, times, self.touch, problem)
-        )
-
-
-def _fly(setup: Setup, link: Connection, told: Any) -> None:
-    """All of the process."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the painter's, who stops us
-    go_first()
-    try:
-        end = _flown(setup, link, told)
-    except InputError as error:
-        end = End("none", str(error), bad_input=True)
-    except Exception as error:
-        end = End("none", str(error))
-    told.put(end)
-    if os.getppid() == 1:  # nobody is left to hear it
-        told.cancel_join_thread()
-
-
-def _flown(setup: Setup, link: Connection, told: Any) -> End:
-    flight = setup.flight()
-    flight.warm_up()
-    told.put(Ready(flight.restart(setup.start_at)))
-    if isinstance(_next_wish(link), Stop):  # anything but time's beginning
-        return End("none")
-    recorder = None
-    if setup.record:
-        header = header_of(flight)
-        recorder = Recorder(setup.record, header, flight.parameters, setup.overwrite)
-    pacer = _Reporter(setup, flight, recorder, link, told)
-    pacer.run()
-    error = str(getattr(pacer.error, "reason", pacer.error) or "")
-    return End(recorder.close(error or pacer.ending) if recorder else "none", error)
-
-
-def _next_wish(link: Connection) -> object:
-    """Waits for it."""
-    try:
-        return link.recv()
-    except (EOFError, OSError):  # whoever painted is gone
-        return Stop("the program that showed it was ended")

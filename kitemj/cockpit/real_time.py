@@ -7,18 +7,19 @@ seen, by its pixels, on the other side.
 
 import random
 import statistics
-import sys
 import time
 from dataclasses import dataclass
 
 import numpy as np
 
 from kitemj.cockpit.actions import Wishes
-from kitemj.cockpit.flight_process import FlightProcess, News, Setup
-from kitemj.cockpit.fly import Physics, Summary, fly
+from kitemj.cockpit.flight_process import FlightProcess
+from kitemj.cockpit.fly import Summary, fly
 from kitemj.cockpit.instruments import Instruments
 from kitemj.cockpit.knob import HUB, OUTER
+from kitemj.cockpit.memory import peak_memory
 from kitemj.cockpit.panel import CALL
+from kitemj.cockpit.physics_process import News, Setup
 from kitemj.cockpit.picture import Picture
 from kitemj.cockpit.screens import Frame, Screen
 from kitemj.cockpit.stick import PilotStick, Stick
@@ -53,10 +54,14 @@ class NoScreen:
 
 
 class Watched:
-    """A screen whose frames are timed; `times` [s], and peak `memory` [MB] at some of them."""
+    """A screen whose frames are timed: `times` [s], and peak `memory` [MB] at some of them.
 
-    def __init__(self, screen: Screen, stick: Stick) -> None:
+    The memory is that of both processes.
+    """
+
+    def __init__(self, screen: Screen, stick: Stick, physics: FlightProcess) -> None:
         self._screen, self.stick, self.wishes = screen, stick, screen.wishes
+        self._physics = physics
         self.times: list[float] = []
         self.memory: list[tuple[float, float]] = []
 
@@ -74,7 +79,7 @@ class Watched:
         self._screen.show(frame, wall)
         self.times.append(time.perf_counter())
         if not self.memory or wall > self.memory[-1][0] + 1.0:
-            self.memory.append((wall, peak_memory()))
+            self.memory.append((wall, peak_memory() + self._physics.memory))
 
     def close(self) -> None:
         """Closes the screen."""
@@ -92,18 +97,8 @@ class Watched:
         return settled[-1] - settled[0] if settled else float("nan")
 
 
-def peak_memory() -> float:
-    """The largest memory [MB] that this process has had so far; not a number on Windows."""
-    if sys.platform == "win32":
-        return float("nan")
-    import resource
-
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak / (1e6 if sys.platform == "darwin" else 1e3)
-
-
 def endured(
-    physics: Physics,
+    physics: FlightProcess,
     picture: Picture,
     screen: Screen,
     stick: Stick,
@@ -111,7 +106,7 @@ def endured(
     called: float | None = None,
 ) -> tuple[Summary, Watched]:
     """A flight of `duration` [s] with `stick` at `screen`; `called` as for `fly`."""
-    watched = Watched(screen, stick)
+    watched = Watched(screen, stick, physics)
     return fly(physics, picture, watched, duration, called), watched
 
 
@@ -171,8 +166,10 @@ class WatchedProcess(FlightProcess):
 class PointerScreen(Watched):
     """Looks at the knob in each frame."""
 
-    def __init__(self, screen: Screen, stick: SteppingStick, instruments: Instruments) -> None:
-        super().__init__(screen, stick)
+    def __init__(
+        self, screen: Screen, stick: SteppingStick, physics: FlightProcess, instruments: Instruments
+    ) -> None:
+        super().__init__(screen, stick, physics)
         self._steps, self._box, self._u = stick.steps, instruments.box("knob"), instruments.u
 
     def show(self, frame: Frame, wall: float) -> None:
@@ -200,5 +197,5 @@ def steps_of_the_stick(
     physics = WatchedProcess(setup, stick)
     physics.wait()
     instruments = Instruments(physics.parameters, picture.width, picture.height)
-    fly(physics, picture, PointerScreen(screen, stick, instruments), duration)
+    fly(physics, picture, PointerScreen(screen, stick, physics, instruments), duration)
     return stick.steps[:-1]

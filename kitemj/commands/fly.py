@@ -10,7 +10,7 @@ from kitemj.commands.words import MODELS, Parser, add_picture, add_step, command
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
-    from kitemj.cockpit.flight_process import Setup
+    from kitemj.cockpit.physics_process import Setup
     from kitemj.cockpit.screens import Screen
     from kitemj.cockpit.stick import Stick
     from kitemj.flight.course import Course
@@ -65,6 +65,9 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(words: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.cockpit.launching import launch
+
+    launched = launch()
     from kitemj.cockpit.flight_process import FlightProcess, with_lessons
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.picture import Picture
@@ -81,7 +84,7 @@ def run(words: argparse.Namespace) -> int:
         why = "as asked, no window" if words.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
     course = None if path else _course(words)
-    physics = FlightProcess(with_lessons(setup, course) if course else setup)
+    physics = FlightProcess(with_lessons(setup, course) if course else setup, launched)
     with Picture(parameters, *pixels) as picture:
         physics.wait()
         screen = _film(words, path, programme, parameters) if path else None
@@ -97,7 +100,7 @@ def run(words: argparse.Namespace) -> int:
 
 def _setup(words: argparse.Namespace) -> "Setup":
     """What is to be flown, and recorded where."""
-    from kitemj.cockpit.flight_process import Setup
+    from kitemj.cockpit.physics_process import Setup
     from kitemj.flight.simulate import check_model
     from kitemj.recording.file import read_recording
     from kitemj.recording.going_on import past_of

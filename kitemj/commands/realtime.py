@@ -1,6 +1,8 @@
 """`kitemj realtime`: how well this machine flies in real time."""
 
 import argparse
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from kitemj.commands.words import Parser, add_picture, add_step, command, size
@@ -35,7 +37,11 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(words: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.cockpit.flight_process import FlightProcess, Setup
+    from kitemj.cockpit.launching import launch
+
+    launched = launch()
+    from kitemj.cockpit.flight_process import FlightProcess
+    from kitemj.cockpit.physics_process import Setup
     from kitemj.cockpit.picture import Picture
     from kitemj.cockpit.real_time import endured, steps_of_the_stick
     from kitemj.cockpit.screens import display_found
@@ -49,17 +55,17 @@ def run(words: argparse.Namespace) -> int:
     scenario = scenario_of({"set": words.kite, "duration": 60.0}, f"the kite {words.kite}")
     window = not words.headless and display_found()
     parameters = scenario.parameters
-    setup = Setup(scenario, "mujoco", "lagrange", words.step)
-    physics = FlightProcess(setup)
-    with Picture(parameters, *pixels) as picture:
-        screen, stick = _screen(words, parameters, window), show_of(parameters)
-        physics.wait()
-        flown, watched = endured(physics, picture, screen, stick, words.duration, words.called)
-        window = window and display_found()
-        screen = _screen(words, parameters, window)
-        steps = steps_of_the_stick(setup, picture, screen, STICK_DURATION)
+    setup, stick = Setup(scenario, "mujoco", "lagrange", words.step), show_of(parameters)
+    with TemporaryDirectory() as folder:
+        physics = FlightProcess(setup._replace(record=Path(folder) / "flight.arrows"), launched)
+        with Picture(parameters, *pixels) as picture:
+            physics.wait()
+            screen = _screen(words, parameters, window)
+            flown, watched = endured(physics, picture, screen, stick, words.duration, words.called)
+            screen = _screen(words, parameters, window and display_found())
+            steps = steps_of_the_stick(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
-    print_table(_flight_table(flown, watched, f"{words.size}, {where}, everything shown"))
+    print_table(_flight_table(flown, watched, f"{words.size}, {where}, everything shown, recorded"))
     print_table(_stick_table(steps))
     return 0
 
@@ -90,7 +96,7 @@ def _flight_table(flown: "Summary", watched: "Watched", how: str) -> "Table":
         ("wall time not flown [s]", times.lost),
         ("frames a second, median", watched.median_rate),
         ("first frame [s]", flown.first_frame),
-        ("memory gained after 10 s [MB]", watched.growth),
+        ("memory gained after 10 s, both processes [MB]", watched.growth),
         ("largest gap to the reference [µm]", 1e6 * times.largest_gap),
     ]
     return Table(f"{flown.flown:.0f} s of flight at {how}", ("what", "measured"), rows)

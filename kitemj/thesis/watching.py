@@ -10,7 +10,8 @@ from contextlib import contextmanager
 from threading import Event, Thread
 from typing import TYPE_CHECKING, NamedTuple
 
-from kitemj.cockpit.flight_process import FlightProcess, News, Setup
+from kitemj.cockpit.flight_process import FlightProcess
+from kitemj.cockpit.physics_process import News, Setup
 from kitemj.flight.live import TICK, Command
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import DEFAULT_STEP

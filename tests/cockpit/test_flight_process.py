@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from kitemj.cockpit.flight_process import FlightProcess, Setup
+from kitemj.cockpit.flight_process import FlightProcess
+from kitemj.cockpit.physics_process import Setup
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.live import Command
 from kitemj.flight.scenario import scenario_of

@@ -4,9 +4,10 @@ import numpy as np
 import pygame
 import pytest
 
-from kitemj.cockpit.flight_process import FlightProcess, News, Setup
+from kitemj.cockpit.flight_process import FlightProcess
 from kitemj.cockpit.instruments import Instruments
 from kitemj.cockpit.pacing import FRAME, Timekeeping
+from kitemj.cockpit.physics_process import News, Setup
 from kitemj.cockpit.picture import Readings
 from kitemj.cockpit.real_time import NoScreen, PointerScreen, Step, SteppingStick, WatchedProcess
 from kitemj.flight.live import TICK, Command, LiveFlight
@@ -27,11 +28,17 @@ def frame_with(stick, size):
     return frame
 
 
+class Mute:
+    """In the place of a flight's process."""
+
+    memory = 0.0
+
+
 @pytest.mark.parametrize("size", SIZES)
 def test_a_move_of_the_stick_is_seen_in_the_frame_that_shows_it(size):
     stick = SteppingStick()
     stick.steps.append(Step(polled=0.0, side=1.0))
-    screen = PointerScreen(NoScreen(), stick, Instruments(PARAMETERS, *size))
+    screen = PointerScreen(NoScreen(), stick, Mute(), Instruments(PARAMETERS, *size))
     for deflection in (0.0, -0.2, -0.2, 0.2, 0.2):
         screen.show(frame_with(deflection, size), 0.0)
     step = stick.steps[0]
@@ -41,12 +48,12 @@ def test_a_move_of_the_stick_is_seen_in_the_frame_that_shows_it(size):
 
 def news(begun, delta):
     command, moment = Command(delta), LiveFlight(SCENARIO).moment
-    return News(begun, begun, command, moment, 0.0, Timekeeping(), None, "")
+    return News(begun, begun, command, moment, 0.0, Timekeeping(), None, "", 0.0)
 
 
 def test_only_ticks_that_began_after_the_move_are_counted(monkeypatch):
     heard = [news(1.0, -0.2), news(2.0, -0.2), news(3.0, 0.2), news(4.0, 0.2)]
-    monkeypatch.setattr(FlightProcess, "__init__", lambda self, setup: None)
+    monkeypatch.setattr(FlightProcess, "__init__", lambda self, setup, launched=None: None)
     monkeypatch.setattr(FlightProcess, "update", lambda self: heard)
     stick = SteppingStick()
     stick.steps.append(Step(polled=1.5, side=1.0))

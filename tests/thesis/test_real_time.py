@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pytest
 
-from kitemj.cockpit.flight_process import News
+from kitemj.cockpit.physics_process import News
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
 from kitemj.thesis import real_time
@@ -39,7 +39,7 @@ def test_real_time_is_kept_or_not():
 
 
 def test_what_was_watched_is_what_is_told(monkeypatch):
-    ticks = [News(0.0, 0.0, None, None, late, None, None, "") for late in (0.001, 0.02)]
+    ticks = [News(0.0, 0.0, None, None, late, None, None, "", 0.0) for late in (0.001, 0.02)]
     frames = [Painted(0.1, 0.03)]
     asked = {}
 
