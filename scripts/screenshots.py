@@ -6,7 +6,6 @@ Every picture is of a flight that was flown; nothing in it is drawn for the occa
 """
 
 import sys
-import time
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -17,18 +16,22 @@ import pygame
 from numpy.typing import NDArray
 
 from kitemj.cockpit.actions import HELP
+from kitemj.cockpit.flight_process import FlightProcess
+from kitemj.cockpit.fly import fly
 from kitemj.cockpit.history import History, Traces
 from kitemj.cockpit.instruments import PANELS, Instruments
-from kitemj.cockpit.pacing import Pacer
+from kitemj.cockpit.physics_process import Setup
 from kitemj.cockpit.picture import VIEWS, Picture, Readings
+from kitemj.cockpit.real_time import NoScreen
 from kitemj.cockpit.shows import show_of
+from kitemj.cockpit.stick import Stick
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.compare import position_gap
 from kitemj.flight.course import Course
 from kitemj.flight.crash import FirstTouch
 from kitemj.flight.live import TICK, Command, LiveFlight
 from kitemj.flight.scenario import Scenario, read_scenario, scenario_of
-from kitemj.flight.simulate import simulate
+from kitemj.flight.simulate import DEFAULT_STEP, simulate
 from kitemj.physics.parameter_files import read_toml
 
 ROOT = Path(__file__).parent.parent
@@ -89,35 +92,34 @@ def save(folder: Path, name: str, frame: NDArray[np.uint8], size: tuple[int, int
     print(folder / f"{name}.png")
 
 
+class Camera(NoScreen):
+    """Keeps the last frame."""
+
+    def __init__(self, stick: Stick) -> None:
+        super().__init__()
+        self.stick = stick
+        self.frame = np.empty((*SIZE[::-1], 3), np.uint8)
+
+    def show(self, frame: NDArray[np.uint8], wall: float) -> None:
+        """Takes it."""
+        self.frame = frame
+
+
 def live(folder: Path) -> None:
-    """20 s in real time, painted as fast as it goes: everything that the cockpit shows."""
-    flight = LiveFlight(scenario_of({"set": "thesis", "duration": LIVE + 1.0}, "live"))
-    flight.warm_up()
-    history, stick = History(flight.parameters), show_of(flight.parameters)
-    pacer = Pacer(flight, history)
-    with Picture(flight.parameters, *SIZE) as picture:
-        picture.paint(pacer.moment.motion, None, Readings())
-        pacer.start()
-        begun = time.perf_counter()
-        while time.perf_counter() < begun + LIVE:
-            start, moment = time.perf_counter(), pacer.moment
-            pacer.command = stick.command(moment.motion)
-            readings = Readings(
-                gap=moment.gap,
-                delta_command=moment.wish,
-                missed_ticks=pacer.times.missed,
-                lateness=pacer.times.lateness,
-                stick=stick.name,
-                traces=history.traces(start),
-            )
-            frame = picture.paint(moment.motion, moment.reference, readings)
-            history.add_frame(start, time.perf_counter() - start)
-        pacer.stop()
-        helped = picture.paint(moment.motion, None, readings._replace(help=HELP))
-    save(folder, "cockpit", frame, SIZE)
+    """20 s of the real loop in real time: everything that the cockpit shows, and its help."""
+    scenario = scenario_of({"set": "sport", "duration": LIVE + 1.0}, "live")
+    parameters = scenario.parameters
+    physics = FlightProcess(Setup(scenario, "mujoco", "lagrange", DEFAULT_STEP))
+    with Picture(parameters, *SIZE) as picture:
+        physics.wait()
+        camera = Camera(show_of(parameters))
+        fly(physics, picture, camera, LIVE)
+        helped = picture.paint(physics.moment.motion, None, Readings(help=HELP))
+    save(folder, "cockpit", camera.frame, SIZE)
     save(folder, "help", helped, SMALL)
-    box = Instruments(flight.parameters, *SIZE).box("chart")
-    save(folder, "instrument_chart", frame[box.top : box.bottom, box.left : box.right], box.size)
+    box = Instruments(parameters, *SIZE).box("chart")
+    part = camera.frame[box.top : box.bottom, box.left : box.right]
+    save(folder, "instrument_chart", part, box.size)
 
 
 def views_and_instruments(folder: Path) -> None:

@@ -1,36 +1,18 @@
-"""Section 4.7: what painting, its start and a restless stick do to real time, measured here.
+"""Section 4.7: what painting, its start and a restless stick do to real time, measured here."""
 
-What is measured is the loop of `kitemj fly`, with another painter. Nothing that is imported
-here paints: the first picture of the cold start is to be the first.
-"""
-
-from collections.abc import Callable, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from contextlib import ExitStack
-from math import ceil, isnan, nan
-from multiprocessing import get_context
+from collections.abc import Sequence
+from math import isnan, nan
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kitemj.cockpit.flight_process import FlightProcess
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
-from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.tables import Cell, Table
 from kitemj.thesis.machine import machine
-from kitemj.thesis.other_work import others, work
-from kitemj.thesis.panels import panels
+from kitemj.thesis.real_time_figures import lateness_figure
+from kitemj.thesis.real_time_flights import KEPT, SIZE, SMOOTH, SWING, Run, all_flown, unpainted
 from kitemj.thesis.section import Answer, Drawing, Named, Section, Verdict
-from kitemj.thesis.watching import Hand, Painted, flying, watch
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from kitemj.cockpit.picture import Picture
 
 _PAINTING = "another machine, and a flight in a process of its own, which waits for no picture"
 _STICK = "another machine, and a stick that is read once a tick however often it moves"
@@ -57,147 +39,6 @@ NEED_PICTURE = {f"Figure {number}" for number in (38, 39, 40, 41, 42)}
 SECONDS = 5.5
 """Of each flight: the rarest picture and the rarest move come every 5 s."""
 
-SIZE = (1280, 720)
-SMOOTH = 1 / 30
-"""s; between frames of `kitemj fly`."""
-
-SWING = 0.15
-"""rad; the thesis changes δ from this to its opposite."""
-
-KEPT = 0.01
-"""Of the ticks may be missed, and no time lost, where real time is said to be kept."""
-
-
-class Case(NamedTuple):
-    """A flight: frames every `frames` [s] (0: as fast as possible; None: none), the stick to
-    the other side every `moves` [s]; `thesis`: the figure, and whether it kept real time."""
-
-    group: str
-    name: str
-    frames: float | None = None
-    moves: float | None = None
-    thesis: tuple[str, bool] | None = None
-    cold: bool = False
-
-
-CASES = (
-    Case("display", "no picture"),
-    Case("display", "a picture every 5 s", 5.0, thesis=("Figure 39", True)),
-    Case("display", "a picture every 1 s", 1.0, thesis=("Figure 38", True)),
-    Case("display", "a picture every 0.5 s", 0.5, thesis=("Figure 40", False)),
-    Case("display", "30 pictures a second", SMOOTH),
-    Case("display", "pictures as fast as possible", 0.0),
-    Case("start", "cold start", SMOOTH, thesis=("Figure 41", False), cold=True),
-    Case("start", "warm start", SMOOTH, thesis=("Figure 42", True)),
-    Case("input", "stick moved every 5 s", SMOOTH, 5.0, ("Figure 44", True)),
-    Case("input", "stick moved every 1 s", SMOOTH, 1.0, ("Figure 43", True)),
-    Case("input", "stick moved every 0.4 s", SMOOTH, 0.4, ("Figure 46", True)),
-    Case("input", "stick moved every 0.1 s", SMOOTH, 0.1, ("Figure 45", False)),
-    Case("input", "stick moved every 10 ms", SMOOTH, 0.01),
-    Case("input", "stick moved every 1 ms", SMOOTH, 0.001),
-)
-
-
-class Run(NamedTuple):
-    """What was measured: `late` [s] of each tick, frames, moves of the stick, time lost [s].
-
-    `others`: cores that other programs kept busy meanwhile.
-    """
-
-    case: Case
-    late: NDArray[np.float64]
-    frames: list[Painted]
-    moves: int
-    lost: float
-    others: float
-
-    @property
-    def missed(self) -> NDArray[np.bool_]:
-        """Ticks that were done later than a tick after they were due."""
-        return self.late > TICK
-
-    @property
-    def kept(self) -> bool:
-        """Whether real time was kept, as `KEPT` has it."""
-        return self.missed.mean() <= KEPT and self.lost == 0.0
-
-    @property
-    def last_missed(self) -> float:
-        """When [s] the last tick was missed; 0 if none was."""
-        missed = np.flatnonzero(self.missed)
-        return float(missed[-1] + 1) * TICK if len(missed) else 0.0
-
-    def __str__(self) -> str:
-        """One clause."""
-        return (
-            f"{self.case.name}: {self.missed.sum()} of {len(self.late)}, at worst "
-            f"{1e3 * self.late.max():.1f} ms late"
-        )
-
-
-def the_scenario() -> Scenario:
-    """The thesis kite, with room for its `SWING`."""
-    tables = {"set": "thesis", "duration": SECONDS, "stick": {"delta": SWING}}
-    return scenario_of(tables, "the flights of section 4.7")
-
-
-def flown(
-    case: Case, seconds: float, physics: FlightProcess, opened: "Callable[[], Picture] | None"
-) -> Run:
-    """`case` for so many `seconds` [s] in real time; where nothing is `opened`, not painted."""
-    hand = Hand(physics, case.moves) if case.moves else None
-    before = work()
-    if opened and case.frames is not None:
-        seen = watch(physics, round(seconds / TICK), opened, case.frames, hand=hand)
-    else:
-        seen = watch(physics, round(seconds / TICK), hand=hand)
-    busy = others(before, work())
-    late = np.array([tick.lateness for tick in seen.ticks])
-    return Run(case, late, seen.frames, hand.moves if hand else 0, seen.lost, busy)
-
-
-def flown_cold(case: Case, seconds: float) -> Run:
-    """In a process that has never painted: all that painting needs is loaded in flight."""
-    scenario = the_scenario()
-    with ExitStack() as stack, flying(scenario) as physics:
-        return flown(case, seconds, physics, lambda: stack.enter_context(_picture(scenario)))
-
-
-def _picture(scenario: Scenario) -> "Picture":
-    from kitemj.cockpit.picture import Picture
-
-    return Picture(scenario.parameters, *SIZE)
-
-
-def all_flown(seconds: float) -> list[Run]:
-    """Every case; raises NoGraphics where nothing can be painted."""
-    scenario = the_scenario()
-    cold = {case.name: _alone(case, seconds) for case in CASES if case.cold}
-    with _picture(scenario) as picture, flying(scenario) as physics:
-        _warm_up(picture, physics)
-        return [
-            cold.get(case.name) or flown(case, seconds, physics, lambda: picture) for case in CASES
-        ]
-
-
-def _warm_up(picture: "Picture", physics: FlightProcess) -> None:
-    """The first frame, which takes longer than others, painted before it matters."""
-    from kitemj.cockpit.picture import Readings
-
-    picture.paint(physics.moment.motion, None, Readings())
-
-
-def _alone(case: Case, seconds: float) -> Run:
-    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
-        return pool.submit(flown_cold, case, seconds).result()
-
-
-def unpainted(seconds: float) -> list[Run]:
-    """The cases that are left where nothing can be painted."""
-    cases = [case for case in CASES if case.group == "input" or case.frames is None]
-    with flying(the_scenario()) as physics:
-        return [flown(case, seconds, physics, None) for case in cases]
-
 
 def section(scratch: Path) -> Section:
     """Flights in real time; where there is no OpenGL, those without a picture."""
@@ -213,7 +54,7 @@ def section(scratch: Path) -> Section:
         ]
     groups = {group: [run for run in runs if run.case.group == group] for group in _CAPTIONS}
     drawings = [
-        Drawing(f"real_time_{group}", f"{_CAPTIONS[group]} {_CURVES}", _figure(own))
+        Drawing(f"real_time_{group}", f"{_CAPTIONS[group]} {_CURVES}", lateness_figure(own))
         for group, own in groups.items()
         if own
     ]
@@ -336,43 +177,6 @@ def _lateness_table(runs: list[Run]) -> Table:
     late = np.column_stack([1e3 * run.late for run in runs])
     rows: list[tuple[Cell, ...]] = [(k * TICK, *row) for k, row in enumerate(late.tolist())]
     return Table("how late each tick was done", ("due_s", *names), rows)
-
-
-def _figure(runs: list[Run]) -> "Figure":
-    """A panel for each flight."""
-    columns = min(len(runs), 3)
-    rows = ceil(len(runs) / columns)
-    figure, axes = panels(
-        rows, columns, (4.0 * columns + 0.5, 2.9 * rows), sharex=True, sharey=True
-    )
-    worst = max(10 * TICK, *(float(run.late.max()) for run in runs))
-    most = max(4, *(int(run.missed.sum()) for run in runs))
-    for ax, run in zip(axes.flat, runs, strict=False):
-        _panel(ax, run)
-        ax.set_ylim(1e-2, 2e3 * worst)
-        count = ax.twinx()
-        t = TICK * np.arange(len(run.late))
-        count.step(t, np.cumsum(run.missed), where="post", color="tab:red", lw=1.4)
-        count.set_ylim(-0.05 * most, 1.1 * most)
-        count.tick_params(axis="y", colors="tab:red")
-        count.set_ylabel("missed ticks", color="tab:red", fontsize=8)
-    for ax in axes[-1]:
-        ax.set_xlabel("time [s]")
-    return figure
-
-
-def _panel(ax: "Axes", run: Run) -> None:
-    """How late ticks were; where frames are few, when they were begun."""
-    case = run.case
-    if case.frames is not None and case.frames > 10 * SMOOTH:
-        for frame in run.frames:
-            ax.axvline(frame.t, color="0.7", lw=3)
-    t = TICK * np.arange(len(run.late))
-    ax.semilogy(t, 1e3 * np.maximum(run.late, 1e-5), color="tab:blue", lw=0.7)
-    ax.axhline(1e3 * TICK, color="0.3", ls="--", lw=0.9)
-    figure = f" ({case.thesis[0]})" if case.thesis else ""
-    ax.set_title(case.name + figure, fontsize=9)
-    ax.set_ylabel("late [ms]", color="tab:blue", fontsize=8)
 
 
 _CAPTIONS = {

@@ -2,7 +2,8 @@
 
 A section is a module with `ANSWERS`, which figures and tables of the thesis it answers (at
 its top, so that the list of all can be checked without computing anything), and the function
-`section`, whose result has the same `answers`.
+`section`, whose result has the same `answers`. A long one has its flights, tables and figures
+beside it, in NAME_flights.py, NAME_tables.py and NAME_figures.py.
 """
 
 from collections.abc import Sequence

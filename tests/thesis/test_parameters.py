@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kitemj.physics.frames import R_1E
-from kitemj.thesis import frames_drawn, instant, misprints, parameters, standing
+from kitemj.thesis import frames_placed, instant, misprints, parameters, standing
 from tests.support import LAKSA
 
 ROUNDING = 1e-12
@@ -66,9 +66,9 @@ def test_every_misprint_is_one():
 
 
 def test_frames_are_where_their_definitions_say():
-    found = frames_drawn.placed()
+    found = frames_placed.placed()
     points, axes = found.points, found.axes
-    kite, q = LAKSA.kite, frames_drawn.Q
+    kite, q = LAKSA.kite, frames_placed.Q
     to_G = axes["B"] @ (points["G"] - points["O_2"])
     assert to_G == pytest.approx([-kite.x_A, 0.0, -kite.z_A], abs=ROUNDING)
     across = points["A₊"] - points["A₋"]
@@ -76,7 +76,7 @@ def test_frames_are_where_their_definitions_say():
     assert points["A₊"] @ axes["1"][0] == pytest.approx(0.0, abs=ROUNDING)  # π holds both lines
     assert points["A₋"] @ axes["1"][0] == pytest.approx(0.0, abs=ROUNDING)
     median = -points["O_2"] / np.linalg.norm(points["O_2"])
-    assert np.arccos(median @ axes["2"][2]) == pytest.approx(frames_drawn.DELTA, abs=1e-9)
+    assert np.arccos(median @ axes["2"][2]) == pytest.approx(frames_placed.DELTA, abs=1e-9)
     assert axes["1"] == pytest.approx(np.array(R_1E(q.phi, q.gamma)), abs=ROUNDING)
 
 

@@ -9,9 +9,10 @@ import pytest
 from kitemj.cockpit.physics_process import News
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
-from kitemj.thesis import real_time
+from kitemj.thesis import real_time, real_time_flights
 from kitemj.thesis.answers import not_shown
-from kitemj.thesis.real_time import ANSWERS, CASES, Case, Run, flown, section
+from kitemj.thesis.real_time import ANSWERS, section
+from kitemj.thesis.real_time_flights import CASES, Case, Run, flown
 from kitemj.thesis.section import Verdict
 from kitemj.thesis.watching import Painted, Watched
 
@@ -47,7 +48,7 @@ def test_what_was_watched_is_what_is_told(monkeypatch):
         asked.update(count=count, opened=opened, interval=interval)
         return Watched(ticks, frames, 0.25)
 
-    monkeypatch.setattr(real_time, "watch", watch)
+    monkeypatch.setattr(real_time_flights, "watch", watch)
     case = Case("display", "a picture every 2 s", 2.0)
     run = flown(case, SHORT, None, lambda: None)
     assert (asked["count"], asked["interval"]) == (round(SHORT / TICK), 2.0)
@@ -59,7 +60,7 @@ def test_what_was_watched_is_what_is_told(monkeypatch):
 
 def test_the_file_of_the_cold_start_loads_nothing_that_paints():
     code = (
-        "import sys, kitemj.thesis.real_time, kitemj.cockpit.flight_process;"
+        "import sys, kitemj.thesis.real_time_flights, kitemj.cockpit.flight_process;"
         "print([m for m in sys.modules if m.startswith(('OpenGL', 'mujoco.egl'))"
         " or m == 'kitemj.cockpit.picture'])"
     )
@@ -77,7 +78,7 @@ def test_each_figure_of_the_thesis_is_one_flight():
 def few(monkeypatch):
     kept = ("no picture", "a picture every 0.5 s", "cold start", "stick moved every 0.1 s")
     monkeypatch.setattr(real_time, "SECONDS", SHORT)
-    monkeypatch.setattr(real_time, "CASES", [c for c in CASES if c.name in kept])
+    monkeypatch.setattr(real_time_flights, "CASES", [c for c in CASES if c.name in kept])
 
 
 def test_the_section_says_what_was_measured(tmp_path, monkeypatch):
@@ -91,7 +92,7 @@ def test_the_section_says_what_was_measured(tmp_path, monkeypatch):
     assert not not_shown(found)
     assert not found.tables  # all of it is timed
     runs = found.timed[0].table.records()
-    assert [row["flight"] for row in runs] == [case.name for case in real_time.CASES]
+    assert [row["flight"] for row in runs] == [case.name for case in real_time_flights.CASES]
     told = " ".join(found.here)
     for row in runs:
         assert f"{row['flight']}: {row['missed']} of {row['ticks']}" in told

@@ -10,8 +10,9 @@ from kitemj.flight.live import TICK
 from kitemj.physics.steering import control, line_motion, rest_ell
 from kitemj.stability.minimal import held
 from kitemj.stability.modes import crossings, growth
-from kitemj.thesis import free_and_steered as free
-from kitemj.thesis import limits_of_steering as limits
+from kitemj.thesis import free_and_steered_flights as free
+from kitemj.thesis import limits_of_steering_flights as limits
+from kitemj.thesis import limits_of_steering_tables as tables
 from kitemj.thesis.forced import STEP, Steered, Swing, repeating, settled, threshold
 from kitemj.thesis.hands import FULL, flown_live, moved, scenario, squares, sticks
 
@@ -96,7 +97,7 @@ def test_beta_is_what_the_hand_changes_most_in_parts_of_the_limits(case):
 
 
 def test_the_way_of_the_hands_matters_most_then_their_rate():
-    shares = [row[-1] for row in limits.sensitivity_table().rows]
+    shares = [row[-1] for row in tables.sensitivity_table().rows]
     assert shares[0] > 3 * shares[1] > 0
     assert shares[1] > 10 * abs(shares[2])
 
@@ -131,7 +132,7 @@ def test_surveyed_hands_are_those_of_a_live_flight():
 def test_arms_make_the_lines_that_they_reach():
     """The δ of the table gives back lines of L₀ ± 0.25 m; 0.1 rad take more."""
     y_A = scenario(80.0).parameters.kite.y_A
-    for length, arm, ell, delta, _, printed, way in limits.reach_table().rows:
+    for length, arm, ell, delta, _, printed, way in tables.reach_table().rows:
         for side in (1.0, -1.0):
             made = line_motion(y_A, held(ell, delta), side).length
             assert made == pytest.approx(length + side * arm, abs=1e-9)

@@ -6,9 +6,10 @@ import pytest
 
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw
-from kitemj.thesis import sticks
+from kitemj.thesis import sticks, sticks_flights
 from kitemj.thesis.answers import not_shown
-from kitemj.thesis.sticks import DURATION, SIGNALS, raw, section, smooth, stick
+from kitemj.thesis.sticks import section
+from kitemj.thesis.sticks_flights import DURATION, MOVES, SIGNALS, raw, smooth, stick
 
 THESIS = parameter_set("thesis")
 LIMITS = THESIS.stick
@@ -72,7 +73,8 @@ def test_a_stick_that_is_let_go_means_what_its_law_says():
 
 
 def test_the_section_flies_both_kinds_and_says_what_came_of_it(tmp_path, monkeypatch):
-    monkeypatch.setattr(sticks, "DURATION", 3.0)
+    for module in (sticks, sticks_flights):
+        monkeypatch.setattr(module, "DURATION", 3.0)
     monkeypatch.setattr(sticks, "TICKS", (0.1, 0.02))
     found = section(tmp_path)
     assert found.answers == sticks.ANSWERS
@@ -93,5 +95,5 @@ def test_the_section_flies_both_kinds_and_says_what_came_of_it(tmp_path, monkeyp
 
 
 def test_the_moves_reach_every_limit():
-    assert max(t for t, _ in sticks.MOVES) < DURATION
-    assert {move for _, move in sticks.MOVES} == {-1.0, 0.0, 1.0}
+    assert max(t for t, _ in MOVES) < DURATION
+    assert {move for _, move in MOVES} == {-1.0, 0.0, 1.0}

@@ -8,7 +8,8 @@ import pytest
 from kitemj.physics.steering import Control, Segment, control
 from kitemj.thesis import verification
 from kitemj.thesis.answers import not_shown
-from kitemj.thesis.verification import (
+from kitemj.thesis.verification import section
+from kitemj.thesis.verification_flights import (
     POSITION,
     Interpolated,
     all_again,
@@ -16,7 +17,6 @@ from kitemj.thesis.verification import (
     deltas,
     interpolation_errors,
     recorded,
-    section,
     segments_of,
 )
 
