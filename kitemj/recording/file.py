@@ -54,7 +54,7 @@ class Recording:
             leg = legs[int(self.columns["parent"][leg.start])]
             rows = np.arange(leg.start, leg.stop)
             ways.insert(0, rows[tick[rows] < first])
-            first = min(first, int(tick[leg.start]))
+            first = int(tick[leg.start])
         return np.concatenate(ways)
 
     def before(self, limits: Sequence[str]) -> NDArray[np.bool_]:
