@@ -173,8 +173,8 @@ class Pacer(threading.Thread):
 
     def _restart(self) -> None:
         self._kept.forget()
-        self._begin_leg()
         self.moment = self.flight.restart(self.start_at)
+        self._begin_leg()
         self._tell(Command(), 0.0)
 
     def _begin_leg(self) -> None:
@@ -183,8 +183,8 @@ class Pacer(threading.Thread):
 
     def _go_on_from(self, kept: Kept | None) -> None:
         if kept:
-            self._begin_leg()
             self.moment = self.flight.resume(kept.saved)
+            self._begin_leg()
             self._tell(Command(), 0.0, kept.leg)
 
     def _tell(self, command: Command, lateness: float, resumed: int | None = None) -> None:
