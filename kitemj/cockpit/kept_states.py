@@ -25,7 +25,7 @@ class KeptStates:
 
     def __init__(self) -> None:
         self._past: deque[Kept] = deque(maxlen=round(60 * MINUTES / EVERY))
-        self.marked: Kept | None = None
+        self._marked: tuple[Kept, list[Kept]] | None = None
 
     def see(self, flight: LiveFlight, leg: int) -> None:
         """Keeps the moment if it is time to."""
@@ -33,8 +33,17 @@ class KeptStates:
             self._past.append(Kept(leg, flight.save()))
 
     def mark(self, flight: LiveFlight, leg: int) -> None:
-        """Keeps the present moment until another is marked."""
-        self.marked = Kept(leg, flight.save())
+        """Keeps the present moment, with the past that led there, until another is marked."""
+        self._marked = Kept(leg, flight.save()), list(self._past)
+
+    def recall(self) -> Kept | None:
+        """The marked moment; its past is the past again."""
+        if self._marked is None:
+            return None
+        kept, past = self._marked
+        self._past.clear()
+        self._past.extend(past)
+        return kept
 
     def back(self, flight: LiveFlight) -> Kept | None:
         """The kept moment `BACK` or a little more ago, else the first; forgets what came after."""

@@ -169,7 +169,7 @@ class Pacer(threading.Thread):
             elif deed == "save":
                 self._kept.mark(self.flight, self._leg)
             elif deed == "load":
-                self._go_on_from(self._kept.marked)
+                self._go_on_from(self._kept.recall())
 
     def _restart(self) -> None:
         self._kept.forget()

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kitemj.commands.plot import add_file, add_save
+from kitemj.commands.results import check_results
 from kitemj.commands.words import Parser, command
 
 if TYPE_CHECKING:
@@ -35,17 +36,12 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(words: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.flight.output import check_new
-    from kitemj.plots.figure_files import check_figures, save_figures
+    from kitemj.plots.figure_files import save_figures
     from kitemj.plots.limits import Extremes, extremes, limits_figure
     from kitemj.plots.sources import read_flown
-    from kitemj.tables import Table, check_format, print_table, write
+    from kitemj.tables import Table, print_table, write
 
-    if words.output:
-        check_format(words.output)
-        check_new(words.output, words.overwrite)
-    if words.save:
-        check_figures(words.save, ["limits"], words.overwrite)
+    check_results(words)
     flown, notes = read_flown(words.file, words.model, words.leg, words.kite)
     rows: list[tuple[Cell, ...]] = [*extremes(flown)]
     for note in notes:

@@ -72,6 +72,14 @@ def test_nothing_marked_is_nothing_loaded(tmp_path):
     assert pacer.moment.motion.t == pytest.approx(20 * TICK)
 
 
+def test_back_from_a_marked_moment_is_back_in_its_own_flight(tmp_path):
+    """Not in the one that was flown since: from 9 s of the first to 4 s of it."""
+    doings = [800, "save", "restart", 450, "load", 100, "rewind", 20]
+    recording, _ = flown(tmp_path / "x.arrows", doings)
+    assert legs_of(recording)[2:] == [(2, 0, 800, 900), (3, 0, 400, 420)]
+    assert flown_again(recording, "mujoco").identical
+
+
 def test_limits_left_before_a_branch_count_for_the_branch(tmp_path):
     """The thesis kite let go with its nose high is beyond stall at first, and comes back."""
     tables = {"set": "thesis", "duration": 60.0, "start": {"theta_deg": 25.0}}
