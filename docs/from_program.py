@@ -14,7 +14,8 @@ from typing import Annotated, Any, get_args, get_origin, get_type_hints
 import pygame
 
 from kitemj.cli import _parser
-from kitemj.cockpit.actions import HELP, TOGGLES
+from kitemj.controls.actions import HELP
+from kitemj.controls.keys import TOGGLES
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import SECTIONS, parameter_set, set_names
 from kitemj.physics.quantity import Quantity

@@ -23,7 +23,7 @@ from kitemj.commands import (
     thesis,
     trim,
 )
-from kitemj.commands.words import Parser
+from kitemj.commands.arguments import Parser
 from kitemj.errors import FlightError, InputError, NoGraphics
 
 COMMANDS = (

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kitemj.errors import InputError
-from kitemj.flight.output import new_file
+from kitemj.files import new_file
 
 Cell = float | str | bool
 

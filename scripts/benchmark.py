@@ -14,8 +14,8 @@ from timing import interleaved, machine, program, ratios, resident, seconds, spr
 
 from kitemj.dynamics import lagrange_kite, mujoco_kite, newton_euler_kite
 from kitemj.dynamics.adaptive import right_side
+from kitemj.dynamics.batch import X, Z
 from kitemj.dynamics.motion import Motion
-from kitemj.dynamics.survey import X, Z
 from kitemj.dynamics.taut import evaluate
 from kitemj.flight.scenario import read_scenario
 from kitemj.flight.simulate import make_model
@@ -93,7 +93,7 @@ def precision(rounds: int, figure: Path) -> list[str]:
 
 def _survey(kite, tolerance):
     kite.start(STEER.start, STEER.programme)
-    return kite.survey(STEER.programme, TIMES, LOW, tolerance)
+    return kite.batch(STEER.programme, TIMES, LOW, tolerance)
 
 
 def _figure(curves, path: Path) -> None:
@@ -175,23 +175,23 @@ count = {count}
 
 def flights(rounds: int) -> list[str]:
     """Flights of 60 s per second, as `kitemj sweep` flies them, on 1 and on 2 processes."""
-    from kitemj.studies.crew import local_crew
+    from kitemj.studies.executors import local_executor
     from kitemj.studies.journal import Journal
     from kitemj.studies.study import read_study
     from kitemj.studies.sweep import sweep
 
     rows = []
-    with tempfile.TemporaryDirectory() as name, local_crew(1) as one, local_crew(2) as two:
+    with tempfile.TemporaryDirectory() as name, local_executor(1) as one, local_executor(2) as two:
         folder = Path(name)
 
         costs: dict[int, list[float]] = {}
 
-        def flown(crew, study) -> None:
+        def flown(executor, study) -> None:
             with Journal(folder / "t", study) as journal:
-                sweep(journal, crew, 0.05)
+                sweep(journal, executor, 0.05)
             rows = journal.path.read_text().splitlines()[1:]
             cost = sum(json.loads(row)["cost_s"] for row in rows) / len(rows)
-            costs.setdefault(crew.workers, []).append(cost)
+            costs.setdefault(executor.workers, []).append(cost)
             journal.path.unlink()
 
         for model, h, count in (("mujoco", 0.02, 60), ("mujoco", 0.01, 40), ("lagrange", 0.1, 800)):
@@ -221,7 +221,7 @@ def length(rounds: int) -> list[str]:
 
         def fly(end: float, kite=kite, tolerance=tolerance) -> None:
             kite.start(STEER.start, STEER.programme)
-            kite.survey(STEER.programme, np.arange(0.0, end, 0.1), LOW, tolerance)
+            kite.batch(STEER.programme, np.arange(0.0, end, 0.1), LOW, tolerance)
 
         single, double = interleaved([lambda f=fly: f(60.0), lambda f=fly: f(120.0)], rounds)
         rows.append((kite.name, ratios(double, single)))
@@ -230,7 +230,7 @@ def length(rounds: int) -> list[str]:
 
 def frame(rounds: int) -> list[str]:
     """A frame of the live picture, 1280 x 720, by part."""
-    from kitemj.cockpit import picture as pictures
+    from kitemj.drawing import picture as pictures
     from kitemj.errors import NoGraphics
 
     kites = [make_model(name, STEER.parameters) for name in ("mujoco", "lagrange")]

@@ -15,24 +15,25 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from kitemj.cockpit.actions import HELP
-from kitemj.cockpit.flight_process import FlightProcess
 from kitemj.cockpit.fly import fly
-from kitemj.cockpit.history import History, Traces
-from kitemj.cockpit.instruments import PANELS, Instruments
-from kitemj.cockpit.physics_process import Setup
-from kitemj.cockpit.picture import VIEWS, Picture, Readings
-from kitemj.cockpit.real_time import NoScreen
-from kitemj.cockpit.shows import show_of
-from kitemj.cockpit.stick import Stick
+from kitemj.cockpit.measuring import NoScreen
+from kitemj.controls.actions import HELP, PANELS, VIEWS
+from kitemj.controls.demonstration import show_of
+from kitemj.controls.stick import Stick
+from kitemj.drawing.history import History, Traces
+from kitemj.drawing.instruments import Instruments
+from kitemj.drawing.picture import Picture
+from kitemj.drawing.readings import Readings
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.compare import position_gap
-from kitemj.flight.course import Course
-from kitemj.flight.crash import FirstTouch
 from kitemj.flight.live import TICK, Command, LiveFlight
 from kitemj.flight.scenario import Scenario, read_scenario, scenario_of
 from kitemj.flight.simulate import DEFAULT_STEP, simulate
 from kitemj.physics.parameter_files import read_toml
+from kitemj.pilots.course import Course
+from kitemj.pilots.crash import FirstTouch
+from kitemj.realtime.process import FlightProcess
+from kitemj.realtime.worker import Setup
 
 ROOT = Path(__file__).parent.parent
 SIZE = (1280, 720)
@@ -114,7 +115,7 @@ def live(folder: Path) -> None:
         physics.wait()
         camera = Camera(show_of(parameters))
         fly(physics, picture, camera, LIVE)
-        helped = picture.paint(physics.moment.motion, None, Readings(help=HELP))
+        helped = picture.paint(physics.result.motion, None, Readings(help=HELP))
     save(folder, "cockpit", camera.frame, SIZE)
     save(folder, "help", helped, SMALL)
     box = Instruments(parameters, *SIZE).box("chart")
@@ -141,27 +142,27 @@ def first_flight(folder: Path) -> None:
     """The first lesson, and what comes of a stick that is held to the left."""
     flight = LiveFlight(scenario_of({"set": "sport", "duration": 60.0}, "first flight"))
     course, ground = Course(flight.parameters), FirstTouch(flight.parameters)
-    history, left, moment = History(flight.parameters), Command(-1.0), flight.moment
+    history, left, result = History(flight.parameters), Command(-1.0), flight.result
     wish = -flight.parameters.stick.delta
     with Picture(flight.parameters, *SIZE) as picture:
 
         def paint(name: str) -> None:
-            traces = history.traces(moment.motion.t)
+            traces = history.traces(result.motion.t)
             readings = Readings(
-                gap=moment.gap,
+                gap=result.gap,
                 delta_command=wish,
                 stick="keys",
                 traces=traces,
-                lesson=course.standing,
+                lesson=course.trimmed,
                 touch=ground.touch,
             )
-            frame = picture.paint(moment.motion, moment.reference, readings)
+            frame = picture.paint(result.motion, result.reference, readings)
             save(folder, name, frame, SMALL)
 
-        while not ground.watch(moment.motion):
-            moment = flight.tick(left)
-            history.add(moment.motion.t, moment.motion)
-            course.watch(moment.motion)
+        while not ground.watch(result.motion):
+            result = flight.tick(left)
+            history.add(result.motion.t, result.motion)
+            course.watch(result.motion)
             if flight.ticks == round(LESSON_AT / TICK):
                 paint("lesson")
         paint("crash")

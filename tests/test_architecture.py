@@ -1,74 +1,112 @@
 """The rooms import in one direction only, and the formulations know nothing of one another."""
 
 import ast
+from itertools import chain
 from pathlib import Path
 
 import pytest
 
 PACKAGE = Path(__file__).parent.parent / "kitemj"
-MAY_IMPORT = {
-    "physics": {"physics"},
-    "dynamics": {"physics", "dynamics"},
-    "flight": {"physics", "dynamics", "flight"},
-    "studies": {"physics", "dynamics", "flight", "studies"},
-    "stability": {"physics", "dynamics", "flight", "stability"},
-    "recording": {"physics", "dynamics", "flight", "recording"},
-    "plots": {"physics", "dynamics", "flight", "recording", "plots"},
-    "cockpit": {"physics", "dynamics", "flight", "recording", "cockpit"},
-    "thesis": {
-        "physics",
-        "dynamics",
-        "flight",
-        "studies",
-        "stability",
-        "recording",
-        "plots",
-        "cockpit",
-        "thesis",
-    },
-    "commands": {
-        "physics",
-        "dynamics",
-        "flight",
-        "studies",
-        "stability",
-        "recording",
-        "plots",
-        "cockpit",
-        "thesis",
-        "commands",
-    },
-}
-SHARED = {"closing", "tables", "errors", "model_files", "mujoco_import"}
+
+ROOMS = (
+    ("physics", ()),
+    ("dynamics", ("physics",)),
+    ("flight", ("dynamics",)),
+    ("pilots", ("flight",)),
+    ("stability", ("flight",)),
+    ("studies", ("flight",)),
+    ("recording", ("flight",)),
+    ("plots", ("recording",)),
+    ("controls", ("pilots",)),
+    ("drawing", ("pilots", "recording", "controls")),
+    ("realtime", ("drawing",)),
+    ("cockpit", ("drawing", "realtime")),
+    ("commands", ("cockpit", "plots", "stability", "studies")),
+)
+"""Each room with those right below it; it may import these and all that they may."""
+
+GROUND = ("closing", "data_files", "errors", "files", "mujoco_import", "registry", "tables")
+"""Root files below all rooms; they import one another only."""
+TOP = ("__init__", "__main__", "cli")
+"""Root files above all rooms, which no room imports."""
+
 FORMULATIONS = {
-    "lagrange": {"lagrange", "lagrange_kite", "linear"},
+    "lagrange": {"lagrange", "lagrange_kite", "solve4"},
     "newton-euler": {"newton_euler", "newton_euler_kite"},
     "mujoco": {"mujoco_kite", "engine", "taut", "slack", "straight"},
 }
+SHARED = {"motion", "adaptive", "batch", "__init__"}
+"""Files of dynamics that any formulation may import."""
+
+LARGEST_ROOM = 3000
+"""Lines of code; what a person can get to know in a day."""
 
 
-def imported(file):
-    """Names below kitemj that a file imports, anywhere in it."""
+def below(room: str) -> set[str]:
+    """The rooms that `room` may import, itself among them."""
+    return {room}.union(*(below(name) for name in dict(ROOMS)[room]))
+
+
+def imported(file: Path) -> set[tuple[str, ...]]:
+    """Dotted paths below kitemj that a file imports, anywhere in it."""
+    names: list[str] = []
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom) and node.module and node.level == 0:
-            names = [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+            names += [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
         elif isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        else:
-            names = []
-        yield from (name.split(".")[1:] for name in names if name.startswith("kitemj."))
+            names += [alias.name for alias in node.names]
+    return {tuple(name.split(".")[1:]) for name in names if name.startswith("kitemj.")}
 
 
-@pytest.mark.parametrize("room", MAY_IMPORT)
+def module(path: tuple[str, ...]) -> tuple[str, ...]:
+    """The module that an imported path is, or is a name of."""
+    return path if PACKAGE.joinpath(*path).with_suffix(".py").is_file() else path[:-1]
+
+
+@pytest.mark.parametrize("room", dict(ROOMS))
 def test_rooms_import_in_one_direction(room):
+    allowed = below(room) | set(GROUND)
     for file in sorted((PACKAGE / room).glob("**/*.py")):
-        rooms = {path[0] for path in imported(file)} - SHARED
-        assert rooms <= MAY_IMPORT[room], f"{file.name} imports {rooms - MAY_IMPORT[room]}"
+        rooms = {path[0] for path in imported(file)}
+        assert rooms <= allowed, f"{file.name} imports {rooms - allowed}"
+
+
+def test_root_files_are_ground_or_top():
+    assert {file.stem for file in PACKAGE.glob("*.py")} == {*GROUND, *TOP}
+    for name in GROUND:
+        rooms = {path[0] for path in imported(PACKAGE / f"{name}.py")}
+        assert rooms <= set(GROUND), f"{name}.py imports {rooms - set(GROUND)}"
+
+
+def test_every_folder_is_a_room():
+    folders = {file.parent.relative_to(PACKAGE).parts[0] for file in PACKAGE.glob("*/**/*.py")}
+    assert folders == set(dict(ROOMS))
+
+
+def test_no_file_imports_itself_by_way_of_others():
+    files = sorted(PACKAGE.glob("**/*.py"))
+    paths = {file.relative_to(PACKAGE).with_suffix("").parts: file for file in files}
+    arrows = {path: {module(each) for each in imported(file)} for path, file in paths.items()}
+    reached = {path: set(arrows[path]) & set(paths) for path in paths}
+    for _ in paths:  # the longest way has no more files than there are
+        further = {
+            path: met.union(*(reached[each] for each in met)) for path, met in reached.items()
+        }
+        if further == reached:
+            break
+        reached = further
+    assert not [path for path, met in reached.items() if path in met]
+
+
+@pytest.mark.parametrize("room", dict(ROOMS))
+def test_no_room_is_too_large_to_know(room):
+    lines = sum(len(file.read_text().splitlines()) for file in (PACKAGE / room).glob("**/*.py"))
+    assert lines <= LARGEST_ROOM
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_formulations_do_not_import_one_another(formulation):
-    others = set().union(*(files for name, files in FORMULATIONS.items() if name != formulation))
+    others = set(chain(*(files for name, files in FORMULATIONS.items() if name != formulation)))
     for name in FORMULATIONS[formulation]:
         paths = imported(PACKAGE / "dynamics" / f"{name}.py")
         met = {path[1] for path in paths if path[0] == "dynamics"}
@@ -76,5 +114,5 @@ def test_formulations_do_not_import_one_another(formulation):
 
 
 def test_every_file_of_dynamics_is_accounted_for():
-    known = set().union(*FORMULATIONS.values()) | {"motion", "adaptive", "survey", "__init__"}
+    known = set(chain(SHARED, *FORMULATIONS.values()))
     assert {file.stem for file in (PACKAGE / "dynamics").glob("*.py")} == known

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from kitemj.cli import main
-from kitemj.flight.output import COLUMNS
+from kitemj.flight.motion_table import COLUMNS
 
 ROOT = Path(__file__).parent.parent
 REFERENCE = ROOT / "scenarios" / "steer_200m.toml"
@@ -124,10 +124,3 @@ def test_every_command_has_help_with_an_example(capsys):
             main([command.__name__.split(".")[-1], "--help"])
         assert stopped.value.code == 0
         assert "example" in capsys.readouterr().out
-
-
-def test_views_of_the_words_are_the_views_there_are():
-    from kitemj.cockpit.picture import VIEWS as PAINTED
-    from kitemj.commands.words import VIEWS
-
-    assert VIEWS == PAINTED

@@ -22,7 +22,7 @@ import yaml
 from markdown_it import MarkdownIt
 
 from kitemj.cli import _parser, main
-from kitemj.cockpit.settings import settings_of
+from kitemj.controls.settings import settings_of
 from kitemj.errors import InputError
 from kitemj.flight.scenario import scenario_of
 from kitemj.recording.table import ALL

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from kitemj.closing import Closing
 from kitemj.errors import InputError
-from kitemj.flight.output import check_new
+from kitemj.files import check_new
 
 OPTIONS = {"preset": "veryfast", "crf": "20"}
 CONTAINER = {"movflags": "+faststart"}  # the index in front: plays while it loads

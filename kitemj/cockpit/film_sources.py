@@ -6,21 +6,21 @@ from typing import Protocol
 
 import numpy as np
 
-from kitemj.cockpit.painters import Shot
-from kitemj.cockpit.picture import Readings
-from kitemj.cockpit.recorded_traces import RecordedTraces
+from kitemj.cockpit.parallel_painting import Shot
+from kitemj.drawing.readings import Readings
+from kitemj.drawing.recorded_traces import RecordedTraces
 from kitemj.flight.compare import position_gap
+from kitemj.flight.limits import departure_at
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import simulate
-from kitemj.flight.validity import departure_at
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
 from kitemj.recording.file import Recording
-from kitemj.recording.motion import Track
 from kitemj.recording.replay import Replay
+from kitemj.recording.track import Track
 
 
-class Source(Protocol):
+class FilmSource(Protocol):
     """A flight that can be looked at; `duration` in s, `ending` says how it ended."""
 
     parameters: Parameters
@@ -32,8 +32,8 @@ class Source(Protocol):
         """What is seen `t` [s] after the start, shown `speed` times as fast as it was."""
 
 
-class FlownScenario:
-    """`model` flying `scenario` with the Lagrangian reference as its ghost, every `interval` [s].
+class ScenarioSource:
+    """`model` flying `scenario` beside the Lagrangian reference, every `interval` [s].
 
     Raises InputError for what cannot be flown.
     """
@@ -45,28 +45,28 @@ class FlownScenario:
         self.parameters, self.caption = scenario.parameters, f"{scenario.source}: {model}"
         self.ending = flight.ending.value
         self._model, self._interval, self._motions = model, interval, flight.motions
-        self._ghosts = simulate(framed, "lagrange", step).motions
+        self._references = simulate(framed, "lagrange", step).motions
         self.duration = flight.motions[-1].t
 
     def shot(self, t: float, speed: float) -> Shot:
         """What is seen at the row nearest to `t` [s]."""
         row = min(round(t / self._interval), len(self._motions) - 1)
         motion = self._motions[row]
-        ghost = self._ghosts[row] if row < len(self._ghosts) else None
+        reference = self._references[row] if row < len(self._references) else None
         departure = departure_at(self.parameters, motion)
         readings = Readings(
             model=self._model,
-            gap=position_gap(motion, ghost) if ghost else None,
+            gap=position_gap(motion, reference) if reference else None,
             delta_command=motion.control.delta,
             stick="programme",
             speed=speed,
             message=departure.ending.value if departure else "",
         )
-        return Shot(motion, ghost, readings)
+        return Shot(motion, reference, readings)
 
 
-class Recorded:
-    """A recording, with its reference as ghost, or with `again`: its input flown again.
+class RecordingSource:
+    """A recording, with its reference beside it, or with `again`: its input flown again.
 
     `times` [s] count from the first tick on, over all restarts.
     """
@@ -76,7 +76,7 @@ class Recorded:
         model = recording.header.model + (f" and {again.model}" if again else "")
         self.caption = f"{recording.path.name}: {model}"
         self._model, self._stick = recording.header.model, recording.parameters.stick.delta
-        self._label = f"ghost: {again.model}" if again else "recorded"
+        self._label = f"reference: {again.model}" if again else "recorded"
         self._tick, self._track = recording.header.tick, Track(recording)
         self._again = Track(recording, again.columns) if again else None
         self.duration = self._track.last * self._tick
@@ -86,7 +86,7 @@ class Recorded:
         self._lateness = columns["lateness_s"]
         self._missed = np.cumsum(self._lateness > self._tick)
         self._traces = RecordedTraces(recording, self._track)
-        self._legs, self._leg = len(recording.legs), columns["leg"]
+        self._episodes, self._episode = len(recording.episodes), columns["leg"]
 
     def shot(self, t: float, speed: float) -> Shot:
         """What is seen at `t` [s], between two ticks too."""
@@ -94,11 +94,11 @@ class Recorded:
         row = min(round(place), self._track.last)
         motion = self._track.motion(place)
         assert motion is not None  # what was recorded was flown
-        ghost = self._track.reference(place, motion)
+        reference = self._track.reference(place, motion)
         gap = float(self._gaps[row])
         if self._again:
-            ghost = self._again.motion(place) if isfinite(gap) else None
-        restarts = f" {self._leg[row] + 1}/{self._legs}" if self._legs > 1 else ""
+            reference = self._again.motion(place) if isfinite(gap) else None
+        restarts = f" {self._episode[row] + 1}/{self._episodes}" if self._episodes > 1 else ""
         readings = Readings(
             model=self._model,
             gap=gap if isfinite(gap) else None,
@@ -110,4 +110,4 @@ class Recorded:
             speed=speed,
             traces=self._traces.at(row),
         )
-        return Shot(motion, ghost, readings)
+        return Shot(motion, reference, readings)

@@ -9,14 +9,14 @@ import pygame
 from rich.progress import track
 
 from kitemj.cockpit.film import Film, check_film
-from kitemj.cockpit.film_sources import Source
-from kitemj.cockpit.painters import Frame, Painter, Stage, painted, workers_for
+from kitemj.cockpit.film_sources import FilmSource
+from kitemj.cockpit.parallel_painting import Frame, Painter, Stage, painted, workers_for
 from kitemj.cockpit.screens import FRAME_RATE
 from kitemj.errors import InputError
-from kitemj.flight.output import check_new, new_file
+from kitemj.files import check_new, new_file
 
 
-class Look(NamedTuple):
+class FilmStyle(NamedTuple):
     """How a film looks; `rate` in frames/s, `speed` of the flight on the film."""
 
     size: tuple[int, int] = (1280, 720)
@@ -26,21 +26,21 @@ class Look(NamedTuple):
     speed: float = 1.0
 
 
-def check_output(path: Path, look: Look, still: bool, overwrite: bool) -> None:
+def check_output(path: Path, style: FilmStyle, still: bool, overwrite: bool) -> None:
     """Raises InputError for what could not be written, before any work is done."""
     check_new(path, overwrite)
     if still and path.suffix.lower() != ".png":
         raise InputError(f"the name of a still picture ends with .png, got {path.name}")
     if not still:
-        check_film(path, *look.size, look.rate)
-    if not 0.0 < look.speed <= 1000.0:
-        raise InputError(f"--speed must be > 0 and <= 1000, got {look.speed:g}")
+        check_film(path, *style.size, style.rate)
+    if not 0.0 < style.speed <= 1000.0:
+        raise InputError(f"--speed must be > 0 and <= 1000, got {style.speed:g}")
 
 
 def film(
-    sources: Sequence[Source],
+    sources: Sequence[FilmSource],
     path: Path,
-    look: Look,
+    style: FilmStyle,
     start: float = 0.0,
     end: float | None = None,
     overwrite: bool = False,
@@ -53,11 +53,11 @@ def film(
     end = longest if end is None else min(end, longest)
     if not 0.0 <= start < end:
         raise InputError(f"--from must be >= 0 s and before the end at {end:g} s, got {start:g} s")
-    count = int((end - start) / look.speed * look.rate + 1e-6) + 1
-    times = [start + i * look.speed / look.rate for i in range(count)]
-    shots = ([source.shot(t, look.speed) for source in sources] for t in times)
-    frames = painted(_stage(sources, look), shots, workers_for(count))
-    with Film(path, *look.size, look.rate, overwrite) as written:
+    count = int((end - start) / style.speed * style.rate + 1e-6) + 1
+    times = [start + i * style.speed / style.rate for i in range(count)]
+    shots = ([source.shot(t, style.speed) for source in sources] for t in times)
+    frames = painted(_stage(sources, style), shots, workers_for(count))
+    with Film(path, *style.size, style.rate, overwrite) as written:
         try:
             for frame in track(frames, description=f"filming {path}", total=count):
                 written.add(frame)
@@ -71,22 +71,22 @@ def film(
 
 
 def still(
-    sources: Sequence[Source], path: Path, look: Look, t: float, overwrite: bool = False
+    sources: Sequence[FilmSource], path: Path, style: FilmStyle, t: float, overwrite: bool = False
 ) -> None:
     """The picture at `t` [s] as a PNG file."""
     longest = max(source.duration for source in sources)
     if not 0.0 <= t <= longest + 1e-9:
         raise InputError(f"--still must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")
-    with Painter(_stage(sources, look)) as painter, new_file(path, overwrite) as part:
-        frame = painter.paint([source.shot(t, look.speed) for source in sources])
+    with Painter(_stage(sources, style)) as painter, new_file(path, overwrite) as part:
+        frame = painter.paint([source.shot(t, style.speed) for source in sources])
         part.write_bytes(_png(frame))
     print(f"{path}: {t:g} s")
 
 
-def _stage(sources: Sequence[Source], look: Look) -> Stage:
+def _stage(sources: Sequence[FilmSource], style: FilmStyle) -> Stage:
     parameters = tuple(source.parameters for source in sources)
     captions = tuple(source.caption for source in sources)
-    return Stage(parameters, captions, look.size, look.view, look.instruments)
+    return Stage(parameters, captions, style.size, style.view, style.instruments)
 
 
 def _png(frame: Frame) -> bytes:

@@ -6,16 +6,17 @@ from typing import Protocol
 
 import pygame
 
-from kitemj.cockpit.actions import FLIGHT_DEEDS, HELP, Wishes
-from kitemj.cockpit.history import History
-from kitemj.cockpit.pacing import Timekeeping
-from kitemj.cockpit.picture import Picture, Readings
-from kitemj.cockpit.programmed import ProgrammedStick
 from kitemj.cockpit.screens import FRAME_RATE, Frame, Screen
-from kitemj.flight.course import Course, Standing
-from kitemj.flight.crash import Touch
-from kitemj.flight.live import TICK, Command, Moment
+from kitemj.controls.actions import FLIGHT_DEEDS, HELP, Wishes
+from kitemj.controls.programmed import ProgrammedStick
+from kitemj.drawing.history import History
+from kitemj.drawing.picture import Picture
+from kitemj.drawing.readings import Readings
+from kitemj.flight.live import TICK, Command, TickResult
 from kitemj.physics.parameters import Parameters
+from kitemj.pilots.course import Course, LessonStatus
+from kitemj.pilots.crash import Touch
+from kitemj.realtime.pacer import Timekeeping
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,7 @@ class Physics(Protocol):
     model: str
     parameters: Parameters
     history: History
-    moment: Moment
+    result: TickResult
     times: Timekeeping
     rate: float
     command: Command
@@ -98,7 +99,7 @@ def fly(
     called = called or time.perf_counter()
     ending, recording = "left by the pilot", "none"
     frames, first, clock = 0, 0.0, pygame.time.Clock()
-    picture.paint(physics.moment.motion, None, Readings(), screen.wishes.view)
+    picture.paint(physics.result.motion, None, Readings(), screen.wishes.view)
     physics.start()
     begun = time.perf_counter()
     try:
@@ -111,10 +112,10 @@ def fly(
             physics.update()
             if isinstance(screen.stick, ProgrammedStick):
                 screen.wishes.ask(screen.stick.actions(painting - begun))
-            physics.command = screen.stick.command(physics.moment.motion)
+            physics.command = screen.stick.command(physics.result.motion)
             _grant(screen.wishes, physics, picture, course)
             if course:
-                course.watch(physics.moment.motion)
+                course.watch(physics.result.motion)
             screen.show(_painted(physics, picture, screen, course), painting - begun)
             frames += 1
             physics.history.add_frame(painting, time.perf_counter() - painting)
@@ -152,10 +153,10 @@ def _grant(wishes: Wishes, physics: Physics, picture: Picture, course: Course | 
 
 def _painted(physics: Physics, picture: Picture, screen: Screen, course: Course | None) -> Frame:
     """The frame of the present moment; the pointer of the knob is where the stick is now."""
-    moment, times, wishes = physics.moment, physics.times, screen.wishes
+    result, times, wishes = physics.result, physics.times, screen.wishes
     readings = Readings(
         model=physics.model,
-        gap=moment.gap,
+        gap=result.gap,
         delta_command=physics.command.delta * physics.parameters.stick.delta,
         law=physics.command.law,
         missed_ticks=times.missed,
@@ -168,10 +169,10 @@ def _painted(physics: Physics, picture: Picture, screen: Screen, course: Course 
         lesson=_lesson(course),
         touch=physics.touch,
     )
-    return picture.paint(moment.motion, moment.reference, readings, wishes.view)
+    return picture.paint(result.motion, result.reference, readings, wishes.view)
 
 
-def _lesson(course: Course | None) -> Standing | None:
+def _lesson(course: Course | None) -> LessonStatus | None:
     """What is shown of the lessons; nothing once all are passed and praised."""
-    standing = course.standing if course else None
-    return standing if standing and (standing.number or standing.praised) else None
+    status = course.status if course else None
+    return status if status and (status.number or status.praised) else None

@@ -6,8 +6,8 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from kitemj.cockpit.lettering import put
 from kitemj.cockpit.replay_player import Player
+from kitemj.drawing.text import put
 
 HEIGHT = 48
 GROUND, TROUGH = (24, 28, 34), (52, 58, 66)
@@ -18,7 +18,7 @@ TIMES = 250  # px on the right for the numbers
 
 
 class Slider:
-    """`beyond` (rows,): whether a limit of validity is left; `starts`: rows where legs begin."""
+    """`beyond` (rows,): whether a limit is left; `starts`: rows where episodes begin."""
 
     def __init__(self, beyond: NDArray[np.bool_], starts: Sequence[int], width: int) -> None:
         self._left, self._right = BUTTON, width - TIMES

@@ -3,19 +3,20 @@
 import numpy as np
 import pygame
 
-from kitemj.cockpit.film_sources import Recorded
-from kitemj.cockpit.pads import events
-from kitemj.cockpit.picture import VIEWS, Picture
+from kitemj.cockpit.film_sources import RecordingSource
 from kitemj.cockpit.replay_player import Player
 from kitemj.cockpit.replay_slider import HEIGHT, Slider
 from kitemj.cockpit.screens import FRAME_RATE
+from kitemj.controls.actions import VIEWS
+from kitemj.controls.pads import events
+from kitemj.drawing.picture import Picture
 from kitemj.recording.file import Recording
 from kitemj.recording.replay import Replay
 from kitemj.recording.table import LIMITS
 
 
 def show(recording: Recording, again: Replay | None, size: tuple[int, int], view: str) -> None:
-    """Shows the recording, with `again` as its ghost, until the window is left.
+    """Shows the recording, with `again` as its reference, until the window is left.
 
     `size` [px] of the picture. Raises NoGraphics or InputError before a window opens.
     """
@@ -35,11 +36,11 @@ class ReplayWindow:
     def __init__(
         self, recording: Recording, again: Replay | None, picture: Picture, view: str
     ) -> None:
-        self._source, self._picture, self.view = Recorded(recording, again), picture, view
+        self._source, self._picture, self.view = RecordingSource(recording, again), picture, view
         self._tick = recording.header.tick
         self.player = Player(self._source.duration)
         beyond = np.logical_or.reduce([recording.columns[name] for name in LIMITS])
-        starts = [leg.start for leg in recording.legs]
+        starts = [episode.start for episode in recording.episodes]
         self._slider = Slider(beyond, starts, picture.width)
         self._whole = pygame.Surface((picture.width, picture.height + HEIGHT))
         pygame.display.set_mode(self._whole.get_size(), pygame.RESIZABLE)

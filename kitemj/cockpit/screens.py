@@ -10,10 +10,11 @@ import pygame
 from numpy.typing import NDArray
 from pygame import RESIZABLE
 
-from kitemj.cockpit.actions import KEYS, Wishes
 from kitemj.cockpit.film import Film
-from kitemj.cockpit.pads import events
-from kitemj.cockpit.stick import PersonStick, Stick
+from kitemj.controls.actions import Wishes
+from kitemj.controls.keys import KEYS
+from kitemj.controls.pads import events
+from kitemj.controls.stick import PersonStick, Stick
 
 FRAME_RATE = 30
 Frame = NDArray[np.uint8]

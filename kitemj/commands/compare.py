@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.words import MODELS, Parser, add_step, command
+from kitemj.commands.arguments import MODELS, Parser, add_step, command
 from kitemj.errors import InputError
 
 
@@ -28,8 +28,9 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.files import check_new, new_file
     from kitemj.flight.compare import compare_models
     from kitemj.flight.compare_table import (
         ladders_markdown,
@@ -38,24 +39,23 @@ def run(words: argparse.Namespace) -> int:
         print_table,
     )
     from kitemj.flight.ladder import ladder
-    from kitemj.flight.output import check_new, new_file
     from kitemj.flight.scenario import read_scenario
 
-    if words.markdown:
-        check_new(words.markdown, words.overwrite)
-    scenarios = [read_scenario(path) for path in words.scenario]
-    if words.ladder:
-        rungs = {each.source: ladder(each, words.step) for each in scenarios}
+    if args.markdown:
+        check_new(args.markdown, args.overwrite)
+    scenarios = [read_scenario(path) for path in args.scenario]
+    if args.ladder:
+        rungs = {each.source: ladder(each, args.step) for each in scenarios}
         print_ladders(rungs)
         text, good = ladders_markdown(rungs), all(r.holds for each in rungs.values() for r in each)
     else:
-        models = words.models.split(",")
+        models = args.models.split(",")
         if len(models) < 2:
-            raise InputError(f"--models needs two or more, got {words.models!r}")
-        rows = [row for each in scenarios for row in compare_models(each, models, words.step)]
+            raise InputError(f"--models needs two or more, got {args.models!r}")
+        rows = [row for each in scenarios for row in compare_models(each, models, args.step)]
         print_table(rows)
         text, good = markdown(rows), all(row.agrees for row in rows)
-    if words.markdown:
-        with new_file(words.markdown, words.overwrite) as part:
+    if args.markdown:
+        with new_file(args.markdown, args.overwrite) as part:
             part.write_text(text, encoding="utf-8")
     return 0 if good else 1

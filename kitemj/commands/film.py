@@ -4,11 +4,11 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.words import MODELS, Parser, add_picture, command, size
+from kitemj.commands.arguments import MODELS, Parser, add_picture, command, size
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
-    from kitemj.cockpit.film_sources import Source
+    from kitemj.cockpit.film_sources import FilmSource
 
 MOST = 2
 
@@ -40,35 +40,37 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.cockpit.filming import Look, check_output, film, still
+    from kitemj.cockpit.filming import FilmStyle, check_output, film, still
 
-    look = Look(size(words.size), words.view, words.instruments, words.rate, words.speed)
-    is_still = words.still is not None
-    check_output(words.output, look, is_still, words.overwrite)
-    models: list[str | None] = words.model.split(",") if words.model else [None]
-    if len(words.source) * len(models) > MOST:
+    style = FilmStyle(size(args.size), args.view, args.instruments, args.rate, args.speed)
+    is_still = args.still is not None
+    check_output(args.output, style, is_still, args.overwrite)
+    models: list[str | None] = args.model.split(",") if args.model else [None]
+    if len(args.source) * len(models) > MOST:
         raise InputError(f"at most {MOST} flights stand side by side: two files, or two models")
-    interval = (words.still or 1.0) if is_still else words.speed / words.rate
-    sources = [_source(words, path, model, interval) for path in words.source for model in models]
+    interval = (args.still or 1.0) if is_still else args.speed / args.rate
+    sources = [_source(args, path, model, interval) for path in args.source for model in models]
     if is_still:
-        still(sources, words.output, look, words.still, words.overwrite)
+        still(sources, args.output, style, args.still, args.overwrite)
     else:
-        film(sources, words.output, look, words.start, words.end, words.overwrite)
+        film(sources, args.output, style, args.start, args.end, args.overwrite)
     return 0
 
 
-def _source(words: argparse.Namespace, path: Path, model: str | None, interval: float) -> "Source":
+def _source(
+    args: argparse.Namespace, path: Path, model: str | None, interval: float
+) -> "FilmSource":
     """The flight in a file: flown by `model`, or recorded and flown again by it."""
-    from kitemj.cockpit.film_sources import FlownScenario, Recorded
+    from kitemj.cockpit.film_sources import RecordingSource, ScenarioSource
     from kitemj.flight.scenario import read_scenario
     from kitemj.flight.simulate import DEFAULT_STEP
     from kitemj.recording.file import read_recording
-    from kitemj.recording.replay import flown_again
+    from kitemj.recording.replay import replay
 
     if path.suffix.lower() == ".toml":
-        step = words.step or DEFAULT_STEP
-        return FlownScenario(read_scenario(path), model or "mujoco", step, interval)
+        step = args.step or DEFAULT_STEP
+        return ScenarioSource(read_scenario(path), model or "mujoco", step, interval)
     recording = read_recording(path)
-    return Recorded(recording, flown_again(recording, model, words.step) if model else None)
+    return RecordingSource(recording, replay(recording, model, args.step) if model else None)

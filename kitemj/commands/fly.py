@@ -6,16 +6,16 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.words import MODELS, Parser, add_picture, add_step, command, size
+from kitemj.commands.arguments import MODELS, Parser, add_picture, add_step, command, size
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
-    from kitemj.cockpit.physics_process import Setup
     from kitemj.cockpit.screens import Screen
-    from kitemj.cockpit.stick import Stick
-    from kitemj.flight.course import Course
+    from kitemj.controls.stick import Stick
     from kitemj.flight.scenario import Scenario
     from kitemj.physics.parameters import Parameters
+    from kitemj.pilots.course import Course
+    from kitemj.realtime.worker import Setup
 
 SHOW_DURATION = 20.0
 """s; of a flight that nobody watches."""
@@ -63,34 +63,34 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.cockpit.launching import launch
+    from kitemj.realtime.launch import launch
 
     launched = launch()
-    from kitemj.cockpit.flight_process import FlightProcess, with_lessons
     from kitemj.cockpit.fly import fly
-    from kitemj.cockpit.picture import Picture
-    from kitemj.cockpit.progress import write_progress
     from kitemj.cockpit.screens import display_found
+    from kitemj.drawing.picture import Picture
+    from kitemj.pilots.progress import write_progress
+    from kitemj.realtime.process import FlightProcess, with_lessons
 
-    pixels, setup = size(words.size), _setup(words)
-    if words.duration is not None and not words.duration > 0:
-        raise InputError(f"--duration must be > 0 s, got {words.duration} s")
-    parameters, programme = setup.scenario.parameters, _programme(words, setup.scenario)
-    path, duration = None, words.duration
-    if words.headless or not display_found():
-        path, duration = _film_path(words), duration or SHOW_DURATION
-        why = "as asked, no window" if words.headless else "there is no display"
+    pixels, setup = size(args.size), _setup(args)
+    if args.duration is not None and not args.duration > 0:
+        raise InputError(f"--duration must be > 0 s, got {args.duration} s")
+    parameters, programme = setup.scenario.parameters, _programme(args, setup.scenario)
+    path, duration = None, args.duration
+    if args.headless or not display_found():
+        path, duration = _film_path(args), duration or SHOW_DURATION
+        why = "as asked, no window" if args.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
-    course = None if path else _course(words)
+    course = None if path else _course(args)
     physics = FlightProcess(with_lessons(setup, course) if course else setup, launched)
     with Picture(parameters, *pixels) as picture:
         physics.wait()
-        screen = _film(words, path, programme, parameters) if path else None
+        screen = _film(args, path, programme, parameters) if path else None
         screen = screen or _window(setup.scenario, pixels, programme)
-        screen.wishes.view = words.view
-        print(fly(physics, picture, screen, duration, words.called, course))
+        screen.wishes.view = args.view
+        print(fly(physics, picture, screen, duration, args.called, course))
     if course:
         print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
     if path:
@@ -98,64 +98,64 @@ def run(words: argparse.Namespace) -> int:
     return 0
 
 
-def _setup(words: argparse.Namespace) -> "Setup":
+def _setup(args: argparse.Namespace) -> "Setup":
     """What is to be flown, and recorded where."""
-    from kitemj.cockpit.physics_process import Setup
     from kitemj.flight.simulate import check_model
+    from kitemj.realtime.worker import Setup
     from kitemj.recording.file import read_recording
-    from kitemj.recording.going_on import past_of
+    from kitemj.recording.resume import resume_point
 
-    if words.past is None and words.at is not None:
+    if args.past is None and args.at is not None:
         raise InputError("--at needs --from RECORDING, whose time it is")
-    if words.past is not None and words.scenario is not None:
+    if args.past is not None and args.scenario is not None:
         raise InputError("--from goes on with the recording's own scenario: leave the other out")
-    check_model(words.model, words.step)
-    record = _record(words)
-    if words.past is not None:
-        past = past_of(read_recording(words.past), words.at)
-        return Setup(*past[:4], record, words.overwrite, past.ticks)
-    return Setup(_scenario(words), words.model, "lagrange", words.step, record, words.overwrite)
+    check_model(args.model, args.step)
+    record = _record(args)
+    if args.past is not None:
+        past = resume_point(read_recording(args.past), args.at)
+        return Setup(*past[:4], record, args.overwrite, past.ticks)
+    return Setup(_scenario(args), args.model, "lagrange", args.step, record, args.overwrite)
 
 
-def _record(words: argparse.Namespace) -> Path | None:
+def _record(args: argparse.Namespace) -> Path | None:
     """Where the recording goes; where the present folder cannot be written, there is none."""
-    from kitemj.flight.output import check_new
-    from kitemj.recording.recorder import moment_name
+    from kitemj.files import check_new
+    from kitemj.recording.recorder import timestamped_name
 
-    if words.no_record:
+    if args.no_record:
         return None
-    path: Path = words.record or moment_name()
+    path: Path = args.record or timestamped_name()
     try:
-        check_new(path, words.overwrite)
+        check_new(path, args.overwrite)
     except InputError as error:
-        if words.record:
+        if args.record:
             raise
         print(f"this flight is not recorded: {error}")
         return None
     return path
 
 
-def _programme(words: argparse.Namespace, scenario: "Scenario") -> "Stick | None":
+def _programme(args: argparse.Namespace, scenario: "Scenario") -> "Stick | None":
     """The table that flies, if there is one."""
-    from kitemj.cockpit.programmed import read_programmed_stick
+    from kitemj.controls.programmed import read_programmed_stick
 
-    return read_programmed_stick(words.stick, scenario.parameters) if words.stick else None
+    return read_programmed_stick(args.stick, scenario.parameters) if args.stick else None
 
 
 def _film(
-    words: argparse.Namespace, path: Path, stick: "Stick | None", parameters: "Parameters"
+    args: argparse.Namespace, path: Path, stick: "Stick | None", parameters: "Parameters"
 ) -> "Screen":
     from kitemj.cockpit.screens import FilmScreen
-    from kitemj.cockpit.shows import show_of
+    from kitemj.controls.demonstration import show_of
 
-    return FilmScreen(path, *size(words.size), stick or show_of(parameters), words.overwrite)
+    return FilmScreen(path, *size(args.size), stick or show_of(parameters), args.overwrite)
 
 
 def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None") -> "Screen":
     """A window for a person, with what they have set; `stick` flies in their place."""
     from kitemj.cockpit.screens import Window
-    from kitemj.cockpit.settings import settings_or_defaults
-    from kitemj.cockpit.stick import PersonStick
+    from kitemj.controls.settings import settings_or_defaults
+    from kitemj.controls.stick import PersonStick
 
     settings, complaint = settings_or_defaults()
     person = PersonStick(settings, scenario.parameters)
@@ -164,42 +164,42 @@ def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None"
     return Window(*pixels, f"kitemj: {scenario.source}", person, stick)
 
 
-def _film_path(words: argparse.Namespace) -> Path:
+def _film_path(args: argparse.Namespace) -> Path:
     """The name asked for, or one of the present moment; InputError where it cannot be."""
-    from kitemj.flight.output import check_new
+    from kitemj.files import check_new
 
-    path: Path = words.film or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
-    check_new(path, words.overwrite)
+    path: Path = args.film or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
+    check_new(path, args.overwrite)
     return path
 
 
-def _scenario(words: argparse.Namespace) -> "Scenario":
+def _scenario(args: argparse.Namespace) -> "Scenario":
     """The scenario of the file, or the kite in its own wind; with the arms that are asked for."""
     from kitemj.flight.reach import reach
     from kitemj.flight.scenario import read_scenario, scenario_of
     from kitemj.physics.parameter_files import read_toml
 
-    if words.scenario is not None:
-        scenario = read_scenario(words.scenario)
-    elif words.kite.endswith(".toml"):
-        scenario = scenario_of({"duration": 60.0} | read_toml(Path(words.kite)), words.kite)
+    if args.scenario is not None:
+        scenario = read_scenario(args.scenario)
+    elif args.kite.endswith(".toml"):
+        scenario = scenario_of({"duration": 60.0} | read_toml(Path(args.kite)), args.kite)
     else:
-        scenario = scenario_of({"set": words.kite, "duration": 60.0}, f"the kite {words.kite}")
-    if words.arm is None:
+        scenario = scenario_of({"set": args.kite, "duration": 60.0}, f"the kite {args.kite}")
+    if args.arm is None:
         return scenario
     stick = scenario.parameters.stick
-    stick = stick._replace(arm=words.arm, delta=reach(scenario.parameters, words.arm))
+    stick = stick._replace(arm=args.arm, delta=reach(scenario.parameters, args.arm))
     return replace(scenario, parameters=scenario.parameters._replace(stick=stick))
 
 
-def _course(words: argparse.Namespace) -> "Course | None":
+def _course(args: argparse.Namespace) -> "Course | None":
     """The lessons that are not passed yet, on the kite for which they are written."""
-    from kitemj.cockpit.progress import read_progress
-    from kitemj.flight.course import Course
     from kitemj.physics.parameter_files import parameter_set
+    from kitemj.pilots.course import Course
+    from kitemj.pilots.progress import read_progress
 
-    own = words.scenario or words.past or words.kite != "sport"
-    if words.no_lessons or own:
+    own = args.scenario or args.past or args.kite != "sport"
+    if args.no_lessons or own:
         return None
-    course = Course(parameter_set("sport"), () if words.lessons else read_progress().passed)
+    course = Course(parameter_set("sport"), () if args.lessons else read_progress().passed)
     return course if course.lesson else None

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.words import Parser, command
+from kitemj.commands.arguments import Parser, command
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -18,10 +18,10 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.recording.file import read_recording
     from kitemj.recording.summary import summary
 
-    print(summary(read_recording(words.recording)))
+    print(summary(read_recording(args.recording)))
     return 0

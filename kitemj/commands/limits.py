@@ -5,9 +5,9 @@ from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kitemj.commands.arguments import Parser, command
 from kitemj.commands.plot import add_file, add_save
 from kitemj.commands.results import check_results
-from kitemj.commands.words import Parser, command
 
 if TYPE_CHECKING:
     from kitemj.tables import Cell
@@ -34,29 +34,29 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.plots.figure_files import save_figures
     from kitemj.plots.limits import Extremes, extremes, limits_figure
-    from kitemj.plots.sources import read_flown
+    from kitemj.plots.sources import read_flight
     from kitemj.tables import Table, print_table, write
 
-    check_results(words)
-    flown, notes = read_flown(words.file, words.model, words.leg, words.kite)
-    rows: list[tuple[Cell, ...]] = [*extremes(flown)]
+    check_results(args)
+    flight, notes = read_flight(args.file, args.model, args.episode, args.kite)
+    rows: list[tuple[Cell, ...]] = [*extremes(flight)]
     for note in notes:
         print(note)
-    print_table(Table(f"limits: {flown.name}", Extremes._fields, [_worded(row) for row in rows]))
-    departure = flown.departure
+    print_table(Table(f"limits: {flight.name}", Extremes._fields, [_worded(row) for row in rows]))
+    departure = flight.departure
     print(
         f"left the limits of validity at {departure}"
         if departure
         else "within all limits of validity throughout"
     )
-    if words.output:
-        write(words.output, [Table("limits", Extremes._fields, rows)], {}, words.overwrite)
-    if words.save:
-        print(*save_figures({"limits": limits_figure(flown)}, words.save, words.overwrite))
+    if args.output:
+        write(args.output, [Table("limits", Extremes._fields, rows)], {}, args.overwrite)
+    if args.save:
+        print(*save_figures({"limits": limits_figure(flight)}, args.save, args.overwrite))
     return 0
 
 

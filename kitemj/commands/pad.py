@@ -5,10 +5,10 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kitemj.commands.words import Parser, command
+from kitemj.commands.arguments import Parser, command
 
 if TYPE_CHECKING:
-    from kitemj.cockpit.settings import Settings
+    from kitemj.controls.settings import Settings
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -27,26 +27,26 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.cockpit.pad_terminal import listed, plugged_in
-    from kitemj.cockpit.settings import settings_or_defaults, settings_path
+    from kitemj.controls.pad_terminal import listed, plugged_in
+    from kitemj.controls.settings import settings_or_defaults, settings_path
 
-    path = words.settings or settings_path()
+    path = args.settings or settings_path()
     settings, problem = settings_or_defaults(path)
     with plugged_in() as pads:
-        if not (words.list or words.show):
-            return _set_up(pads, path, words.overwrite)
+        if not (args.list or args.show):
+            return _set_up(pads, path, args.overwrite)
         if problem:
             print(problem)
-        if words.show:
+        if args.show:
             return _show(pads, settings)
         print(listed(pads, settings, path))
     return 0
 
 
 def _show(pads: list[Any], settings: "Settings") -> int:
-    from kitemj.cockpit.pad_terminal import show
+    from kitemj.controls.pad_terminal import show
 
     print("Ctrl-C ends")
     with suppress(KeyboardInterrupt):
@@ -55,8 +55,8 @@ def _show(pads: list[Any], settings: "Settings") -> int:
 
 
 def _set_up(pads: list[Any], path: Path, overwrite: bool) -> int:
-    from kitemj.cockpit.pad_terminal import ask, choose, typed_lines
-    from kitemj.cockpit.settings import check_writable, write_layout
+    from kitemj.controls.pad_terminal import ask, choose, typed_lines
+    from kitemj.controls.settings import check_writable, write_layout
 
     check_writable(path, overwrite)
     typed = typed_lines()

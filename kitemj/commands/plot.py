@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.words import MODELS, Parser, command
+from kitemj.commands.arguments import MODELS, Parser, command
 from kitemj.errors import InputError
 
 FIGURES = ("state", "rates", "tensions", "angles", "steering", "path", "window")
@@ -50,6 +50,7 @@ def add_file(parser: Parser) -> None:
     )
     parser.add_argument(
         "--leg",
+        dest="episode",
         type=int,
         default=0,
         metavar="N",
@@ -70,26 +71,26 @@ def add_save(parser: Parser, says: str) -> None:
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.plots.figure_files import check_figures, save_figures
     from kitemj.plots.figures import drawn
-    from kitemj.plots.sources import read_flown
+    from kitemj.plots.sources import read_flight
     from kitemj.plots.windows import check_windows, show
 
-    names = _names(words.what)
-    if words.save:
-        check_figures(words.save, names or list(FIGURES), words.overwrite)
+    names = _names(args.what)
+    if args.save:
+        check_figures(args.save, names or list(FIGURES), args.overwrite)
     else:
         check_windows()
-    flown, notes = read_flown(words.file, words.model, words.leg, words.kite)
-    figures, lacking = drawn(flown, names)
+    flight, notes = read_flight(args.file, args.model, args.episode, args.kite)
+    figures, lacking = drawn(flight, names)
     for note in notes + lacking:
         print(note)
-    if flown.departure:
-        print(f"left the limits of validity at {flown.departure}")
-    if words.save:
-        for path in save_figures(figures, words.save, words.overwrite):
+    if flight.departure:
+        print(f"left the limits of validity at {flight.departure}")
+    if args.save:
+        for path in save_figures(figures, args.save, args.overwrite):
             print(path)
     else:
         show(figures)

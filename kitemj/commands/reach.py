@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.words import Parser, command
+from kitemj.commands.arguments import Parser, command
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -28,13 +28,13 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.flight.reach import reach_of, told
 
-    parameters = _parameters(words.kite)
+    parameters = _parameters(args.kite)
     own = (parameters.stick.arm, parameters.lines.length, 2 * parameters.kite.y_A)
-    given = (words.arm, words.length, words.attachments)
+    given = (args.arm, args.length, args.attachments)
     print(told(reach_of(*(a if b is None else b for a, b in zip(own, given, strict=True)))))
     return 0
 

@@ -5,12 +5,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from kitemj.commands.words import Parser, add_picture, add_step, command, size
+from kitemj.commands.arguments import Parser, add_picture, add_step, command, size
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
     from kitemj.cockpit.fly import Summary
-    from kitemj.cockpit.real_time import Step, Watched
+    from kitemj.cockpit.measuring import Step, Watched
     from kitemj.cockpit.screens import Screen
     from kitemj.physics.parameters import Parameters
     from kitemj.tables import Cell, Table
@@ -35,52 +35,52 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.cockpit.launching import launch
+    from kitemj.realtime.launch import launch
 
     launched = launch()
-    from kitemj.cockpit.flight_process import FlightProcess
-    from kitemj.cockpit.physics_process import Setup
-    from kitemj.cockpit.picture import Picture
-    from kitemj.cockpit.real_time import endured, steps_of_the_stick
+    from kitemj.cockpit.measuring import endured, steps_of_the_stick
     from kitemj.cockpit.screens import display_found
-    from kitemj.cockpit.shows import show_of
+    from kitemj.controls.demonstration import show_of
+    from kitemj.drawing.picture import Picture
     from kitemj.flight.scenario import scenario_of
+    from kitemj.realtime.process import FlightProcess
+    from kitemj.realtime.worker import Setup
     from kitemj.tables import print_table
 
-    if not words.duration > 0:
-        raise InputError(f"--duration must be > 0 s, got {words.duration} s")
-    pixels = size(words.size)
-    scenario = scenario_of({"set": words.kite, "duration": 60.0}, f"the kite {words.kite}")
-    window = not words.headless and display_found()
+    if not args.duration > 0:
+        raise InputError(f"--duration must be > 0 s, got {args.duration} s")
+    pixels = size(args.size)
+    scenario = scenario_of({"set": args.kite, "duration": 60.0}, f"the kite {args.kite}")
+    window = not args.headless and display_found()
     parameters = scenario.parameters
-    setup, stick = Setup(scenario, "mujoco", "lagrange", words.step), show_of(parameters)
+    setup, stick = Setup(scenario, "mujoco", "lagrange", args.step), show_of(parameters)
     with TemporaryDirectory() as folder:
         physics = FlightProcess(setup._replace(record=Path(folder) / "flight.arrows"), launched)
         with Picture(parameters, *pixels) as picture:
             physics.wait()
-            screen = _screen(words, parameters, window)
-            flown, watched = endured(physics, picture, screen, stick, words.duration, words.called)
-            screen = _screen(words, parameters, window and display_found())
+            screen = _screen(args, parameters, window)
+            flown, watched = endured(physics, picture, screen, stick, args.duration, args.called)
+            screen = _screen(args, parameters, window and display_found())
             steps = steps_of_the_stick(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
-    print_table(_flight_table(flown, watched, f"{words.size}, {where}, everything shown, recorded"))
+    print_table(_flight_table(flown, watched, f"{args.size}, {where}, everything shown, recorded"))
     print_table(_stick_table(steps))
     return 0
 
 
-def _screen(words: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
-    from kitemj.cockpit.real_time import NoScreen
+def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
+    from kitemj.cockpit.measuring import NoScreen
     from kitemj.cockpit.screens import Screen, Window
-    from kitemj.cockpit.settings import Settings
-    from kitemj.cockpit.stick import PersonStick
+    from kitemj.controls.settings import Settings
+    from kitemj.controls.stick import PersonStick
 
     screen: Screen = NoScreen()
     if window:
         person = PersonStick(Settings(), parameters)
-        screen = Window(*size(words.size), "kitemj realtime", person)
-    screen.wishes.view = words.view
+        screen = Window(*size(args.size), "kitemj realtime", person)
+    screen.wishes.view = args.view
     return screen
 
 

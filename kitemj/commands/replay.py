@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.words import MODELS, Parser, add_picture, command, size
+from kitemj.commands.arguments import MODELS, Parser, add_picture, command, size
 
 if TYPE_CHECKING:
     from kitemj.recording.file import Recording
@@ -37,41 +37,41 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.recording.file import read_recording
 
-    pixels = size(words.size)
-    recording = read_recording(words.recording)
-    if words.export:
-        return _export(words, recording)
-    again = _flown_again(words, recording) if words.model else None
-    if words.headless:
+    pixels = size(args.size)
+    recording = read_recording(args.recording)
+    if args.export:
+        return _export(args, recording)
+    again = _replay(args, recording) if args.model else None
+    if args.headless:
         return 0
-    return _show(words, recording, again, pixels)
+    return _show(args, recording, again, pixels)
 
 
-def _export(words: argparse.Namespace, recording: "Recording") -> int:
+def _export(args: argparse.Namespace, recording: "Recording") -> int:
     from kitemj.recording.export import write_table
 
-    path = words.output or words.recording.with_suffix(".csv")
-    write_table(path, recording, words.overwrite)
+    path = args.output or args.recording.with_suffix(".csv")
+    write_table(path, recording, args.overwrite)
     print(f"{path}: {len(recording)} rows")
     return 0
 
 
-def _flown_again(words: argparse.Namespace, recording: "Recording") -> "Replay":
+def _replay(args: argparse.Namespace, recording: "Recording") -> "Replay":
     """Flies the recorded input through ``--model`` and prints how far apart both are."""
-    from kitemj.recording.replay import flown_again
+    from kitemj.recording.replay import replay
     from kitemj.recording.summary import comparison
 
-    again = flown_again(recording, words.model, words.step)
+    again = replay(recording, args.model, args.step)
     print(comparison(again))
     return again
 
 
 def _show(
-    words: argparse.Namespace,
+    args: argparse.Namespace,
     recording: "Recording",
     again: "Replay | None",
     pixels: tuple[int, int],
@@ -79,9 +79,9 @@ def _show(
     from kitemj.cockpit.screens import display_found
 
     if not display_found():
-        print(f"there is no display; film it: kitemj film {words.recording} --output FILE.mp4")
+        print(f"there is no display; film it: kitemj film {args.recording} --output FILE.mp4")
         return 0
     from kitemj.cockpit.replay_window import show
 
-    show(recording, again, pixels, words.view)
+    show(recording, again, pixels, args.view)
     return 0

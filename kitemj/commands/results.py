@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.words import Parser
+from kitemj.commands.arguments import Parser
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,21 +22,21 @@ def add_results(parser: Parser) -> None:
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
 
 
-def check_results(words: argparse.Namespace) -> None:
+def check_results(args: argparse.Namespace) -> None:
     """Raises InputError before work is done that could not be kept."""
-    from kitemj.flight.output import check_new
+    from kitemj.files import check_new
     from kitemj.plots.figure_files import check_figures
     from kitemj.tables import check_format
 
-    if words.output:
-        check_format(words.output)
-        check_new(words.output, words.overwrite)
-    if words.save:
-        check_figures(words.save, [""], words.overwrite)
+    if args.output:
+        check_format(args.output)
+        check_new(args.output, args.overwrite)
+    if args.save:
+        check_figures(args.save, [""], args.overwrite)
 
 
 def give_results(
-    words: argparse.Namespace,
+    args: argparse.Namespace,
     tables: "list[Table]",
     extra: Mapping[str, object],
     figure: "Callable[[], Figure]",
@@ -48,7 +48,7 @@ def give_results(
 
     for table in tables if show else []:
         print_table(table)
-    if words.output:
-        write(words.output, tables, extra, words.overwrite)
-    if words.save:
-        save_figures({"": figure()}, words.save, words.overwrite)
+    if args.output:
+        write(args.output, tables, extra, args.overwrite)
+    if args.save:
+        save_figures({"": figure()}, args.save, args.overwrite)

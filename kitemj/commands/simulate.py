@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from kitemj.commands.words import MODELS, Parser, add_step, command
+from kitemj.commands.arguments import MODELS, Parser, add_step, command
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -23,17 +23,18 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.flight.output import check_new, write_csv
+    from kitemj.files import check_new
+    from kitemj.flight.limits import Ending
+    from kitemj.flight.motion_table import write_csv
     from kitemj.flight.scenario import read_scenario
     from kitemj.flight.simulate import simulate
-    from kitemj.flight.validity import Ending
 
-    check_new(words.output, words.overwrite)
-    flight = simulate(read_scenario(words.scenario), words.model, words.step)
-    write_csv(words.output, flight.motions, words.overwrite)
-    print(f"{words.output}: {len(flight.motions)} rows, {flight.model}; {flight.ending.value}")
+    check_new(args.output, args.overwrite)
+    flight = simulate(read_scenario(args.scenario), args.model, args.step)
+    write_csv(args.output, flight.motions, args.overwrite)
+    print(f"{args.output}: {len(flight.motions)} rows, {flight.model}; {flight.ending.value}")
     if flight.departure:
         print(f"left the limits of validity at {flight.departure}")
     if flight.ending is Ending.DIVERGED:

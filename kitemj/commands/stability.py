@@ -4,8 +4,8 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kitemj.commands.arguments import MODELS, Parser, command, number
 from kitemj.commands.results import add_results, check_results, give_results
-from kitemj.commands.words import MODELS, Parser, command, number
 
 if TYPE_CHECKING:
     from kitemj.flight.scenario import Scenario
@@ -35,58 +35,58 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.errors import InputError
     from kitemj.flight.scenario import read_scenario
 
-    asked = [bool(words.vary), bool(words.map), words.cycle]
+    asked = [bool(args.vary), bool(args.map), args.cycle]
     if sum(asked) > 1:
         raise InputError("--vary, --map and --cycle are questions of their own: ask one at a time")
-    if bool(words.vary) != bool(words.range):
+    if bool(args.vary) != bool(args.range):
         raise InputError("--vary NAME and --range A B go together: give both")
-    check_results(words)
-    scenario = read_scenario(words.scenario)
-    if words.vary:
-        return _vary(words, scenario)
-    if words.map:
-        return _map(words, scenario)
-    return _cycle(words, scenario) if words.cycle else _modes(words, scenario)
+    check_results(args)
+    scenario = read_scenario(args.scenario)
+    if args.vary:
+        return _vary(args, scenario)
+    if args.map:
+        return _map(args, scenario)
+    return _cycle(args, scenario) if args.cycle else _modes(args, scenario)
 
 
-def _modes(words: argparse.Namespace, scenario: "Scenario") -> int:
+def _modes(args: argparse.Namespace, scenario: "Scenario") -> int:
     from kitemj.stability import plots, tables
     from kitemj.stability.modes import stability
     from kitemj.stability.trim import lines_held
 
     held = lines_held(scenario.parameters, scenario.programme)
-    found = stability(scenario.parameters, *held, words.model, scenario.source)
+    found = stability(scenario.parameters, *held, args.model, scenario.source)
     print("stable" if found.stable else "not stable", tables.v_ref_note(found.V_ref), sep="; ")
     linear = {"linear system": tables.matrices(found.linear)}
-    give_results(words, [tables.mode_table(found)], linear, lambda: plots.modes_figure(found))
+    give_results(args, [tables.mode_table(found)], linear, lambda: plots.modes_figure(found))
     return 0
 
 
-def _vary(words: argparse.Namespace, scenario: "Scenario") -> int:
+def _vary(args: argparse.Namespace, scenario: "Scenario") -> int:
     from kitemj.stability import plots, tables
     from kitemj.stability.modes import crossings, stability
     from kitemj.stability.trim import lines_held
 
-    parameters, (low, high) = scenario.parameters, words.range
+    parameters, (low, high) = scenario.parameters, args.range
     ell, delta = lines_held(parameters, scenario.programme)
-    found = crossings(parameters, words.vary, low, high, ell, delta, words.model)
+    found = crossings(parameters, args.vary, low, high, ell, delta, args.model)
     print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))
-    here = stability(parameters, ell, delta, words.model, scenario.source)
-    give_results(words, [tables.crossing_table(found)], {}, lambda: plots.modes_figure(here))
+    here = stability(parameters, ell, delta, args.model, scenario.source)
+    give_results(args, [tables.crossing_table(found)], {}, lambda: plots.modes_figure(here))
     return 0
 
 
-def _map(words: argparse.Namespace, scenario: "Scenario") -> int:
+def _map(args: argparse.Namespace, scenario: "Scenario") -> int:
     from kitemj.stability import plots, tables
     from kitemj.stability.maps import stability_map
     from kitemj.stability.trim import lines_held
 
-    x, a, b, y, c, d = words.map
+    x, a, b, y, c, d = args.map
     axes = (
         (x, number(a, "--map A"), number(b, "--map B")),
         (
@@ -96,26 +96,26 @@ def _map(words: argparse.Namespace, scenario: "Scenario") -> int:
         ),
     )
     ell, delta = lines_held(scenario.parameters, scenario.programme)
-    found = stability_map(scenario.parameters, *axes, words.points, ell=ell, delta=delta)
+    found = stability_map(scenario.parameters, *axes, args.points, ell=ell, delta=delta)
     print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))
     table = tables.map_table(found)
-    short = table if words.output else None
+    short = table if args.output else None
     print(f"{len(table.rows)} points; write them with --output, draw them with --save")
-    give_results(words, [table] if short else [], {}, lambda: plots.map_figure(found), show=False)
+    give_results(args, [table] if short else [], {}, lambda: plots.map_figure(found), show=False)
     return 0
 
 
-def _cycle(words: argparse.Namespace, scenario: "Scenario") -> int:
+def _cycle(args: argparse.Namespace, scenario: "Scenario") -> int:
     from kitemj.stability import plots, tables
     from kitemj.stability.cycle import cycle
     from kitemj.stability.trim import lines_held
 
     held = lines_held(scenario.parameters, scenario.programme)
-    found = cycle(scenario.parameters, *held, words.model, scenario.source)
+    found = cycle(scenario.parameters, *held, args.model, scenario.source)
     print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))
     print(f"period {found.period:.7g} s")
     if found.departure:
         print(f"leaves the limits of validity at {found.departure}")
     shown = [tables.cycle_table(found), tables.multiplier_table(found)]
-    give_results(words, shown, {"period_s": found.period}, lambda: plots.cycle_figure(found))
+    give_results(args, shown, {"period_s": found.period}, lambda: plots.cycle_figure(found))
     return 0

@@ -6,11 +6,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.words import Parser, command
+from kitemj.commands.arguments import Parser, command
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
-    from kitemj.studies.crew import Crew
+    from kitemj.studies.executors import StudyExecutor
     from kitemj.studies.journal import Journal
 
 LONG = 3600.0
@@ -37,30 +37,30 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.flight.output import check_new
+    from kitemj.files import check_new
     from kitemj.studies.journal import Journal, completed_by
     from kitemj.studies.study import read_study
     from kitemj.studies.sweep import StudyStopped, check
 
-    study = read_study(words.study)
+    study = read_study(args.study)
     check(study)
-    journal = Journal(words.output, study)
-    if words.overwrite:
+    journal = Journal(args.output, study)
+    if args.overwrite:
         journal.path.unlink(missing_ok=True)
-    elif words.output.is_file() and completed_by(words.output, study):
-        print(f"{words.output} is complete: {study.design.count} flights")
+    elif args.output.is_file() and completed_by(args.output, study):
+        print(f"{args.output} is complete: {study.design.count} flights")
         return 0
-    check_new(words.output, words.overwrite)
+    check_new(args.output, args.overwrite)
     safe = f"finished flights are safe in {journal.path}"
     try:
         with journal:
             if journal.count:
                 print(f"going on after {journal.count} of {study.design.count} flights")
             if journal.count < study.design.count:
-                _fly(words, journal)
-            failures = journal.write_table(words.output, words.overwrite)
+                _fly(args, journal)
+            failures = journal.write_table(args.output, args.overwrite)
     except KeyboardInterrupt:
         print(f"kitemj: interrupted; {safe}: the same command goes on", file=sys.stderr)
         return 130
@@ -73,26 +73,26 @@ def run(words: argparse.Namespace) -> int:
         return 1
     journal.path.unlink()
     said = f"; {failures} could not be flown, see their reason" if failures else ""
-    print(f"{words.output}: {study.design.count} flights{said}")
+    print(f"{args.output}: {study.design.count} flights{said}")
     return 0
 
 
-def _fly(words: argparse.Namespace, journal: "Journal") -> None:
-    from kitemj.studies.crew import dask_crew, local_crew
+def _fly(args: argparse.Namespace, journal: "Journal") -> None:
+    from kitemj.studies.executors import dask_executor, local_executor
     from kitemj.studies.sweep import sweep, tried
 
-    start = dask_crew(words.scheduler) if words.scheduler else local_crew(words.processes)
-    with start as crew:
+    start = dask_executor(args.scheduler) if args.scheduler else local_executor(args.processes)
+    with start as executor:
         cost = tried(journal)
         left = len(journal.done) - journal.count
-        _ask(left, cost * left / crew.workers, crew, words.yes)
+        _ask(left, cost * left / executor.workers, executor, args.yes)
         if left:
-            _with_progress(journal, lambda tell: sweep(journal, crew, cost, tell))
+            _with_progress(journal, lambda tell: sweep(journal, executor, cost, tell))
 
 
-def _ask(flights: int, seconds: float, crew: "Crew", yes: bool) -> None:
+def _ask(flights: int, seconds: float, executor: "StudyExecutor", yes: bool) -> None:
     """Raises InputError unless a person agrees to a study that is very long."""
-    text = f"{flights} flights: about {_duration(seconds)} on {crew.name}"
+    text = f"{flights} flights: about {_duration(seconds)} on {executor.name}"
     if yes or (seconds < LONG and flights < MANY):
         print(text)
     elif not sys.stdin.isatty():

@@ -1,9 +1,14 @@
 """`kitemj thesis`: what the source thesis measured and drew, made again."""
 
 import argparse
+import sys
 from pathlib import Path
 
-from kitemj.commands.words import Parser, command
+from kitemj.commands.arguments import Parser, command
+from kitemj.errors import InputError
+
+SCRIPTS = Path(__file__).parents[2] / "scripts"
+"""Of the checkout: the report is no part of the installed package."""
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -25,15 +30,20 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.thesis.folder import check_folder
+    if not (SCRIPTS / "thesis" / "report.py").is_file():
+        raise InputError(
+            "the report is made in the repository, of which this installation has no copy: "
+            "clone it, and run .venv/bin/kitemj thesis there"
+        )
+    sys.path.insert(0, str(SCRIPTS))
+    from thesis.folder import check_folder
 
-    check_folder(words.output, words.overwrite)
+    check_folder(args.output, args.overwrite)
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-
-    from kitemj.thesis import report
+    from thesis import report
 
     columns = (
         MofNCompleteColumn(),
@@ -47,6 +57,6 @@ def run(words: argparse.Namespace) -> int:
         def tell(name: str, done: int) -> None:
             progress.update(task, description=name, completed=done)
 
-        sections = report.write_report(words.output, words.overwrite, report.WRITERS, tell)
-    print(f"{words.output / 'index.html'}: {len(sections)} sections")
+        sections = report.write_report(args.output, args.overwrite, report.WRITERS, tell)
+    print(f"{args.output / 'index.html'}: {len(sections)} sections")
     return 0

@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
+from kitemj.commands.arguments import MODELS, Parser, command
 from kitemj.commands.results import add_results, check_results, give_results
-from kitemj.commands.words import MODELS, Parser, command
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -21,20 +21,20 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.set_defaults(run=run)
 
 
-def run(words: argparse.Namespace) -> int:
+def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.flight.scenario import read_scenario
     from kitemj.stability import plots
     from kitemj.stability.tables import trim_table
     from kitemj.stability.trim import equilibria, lines_held
 
-    check_results(words)
-    scenario = read_scenario(words.scenario)
+    check_results(args)
+    scenario = read_scenario(args.scenario)
     ell, delta = lines_held(scenario.parameters, scenario.programme)
     trims = [
         trim
-        for model in words.models.split(",")
+        for model in args.models.split(",")
         for trim in equilibria(scenario.parameters, ell, delta, model, scenario.source)
     ]
-    give_results(words, [trim_table(trims)], {}, lambda: plots.trim_figure(trims))
+    give_results(args, [trim_table(trims)], {}, lambda: plots.trim_figure(trims))
     return 0

@@ -8,8 +8,8 @@ import numpy as np
 from numba import types
 from numpy.typing import NDArray
 
+from kitemj.data_files import model_file
 from kitemj.dynamics.motion import HULL, Body
-from kitemj.model_files import model_file
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Quaternion, R_BE_of, quaternion, world, world_quaternion

@@ -20,12 +20,13 @@ with ℓ and δ kept as coordinates (Lagrange multipliers in their simplest form
 from math import cos, sin
 from typing import NamedTuple
 
-from kitemj.dynamics.linear import Four, Symmetric, solved
-from kitemj.dynamics.motion import Body, Pair
+from kitemj.dynamics.motion import Body, PerLine
+from kitemj.dynamics.solve4 import Four, Symmetric, solved
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import R_2E, R_B2, Angles
+from kitemj.physics.kite import Kite
 from kitemj.physics.loads import aerodynamic_wrench
-from kitemj.physics.parameters import Kite, Parameters
+from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, line_motion
 from kitemj.physics.vectors import (
     Rotation,
@@ -73,7 +74,7 @@ class Accelerations(NamedTuple):
     """q̈ [rad/s²] and the line tensions [N]."""
 
     q_ddot: Angles
-    tensions: Pair
+    tensions: PerLine
 
 
 @compiled
@@ -272,11 +273,11 @@ def _mass(kite: Kite, U_i: Vector, W_i: Vector, U_j: Vector, W_j: Vector) -> flo
 
 
 @compiled
-def _tensions(y_A: float, c: Control, Q_ell: float, Q_delta: float) -> Pair:
+def _tensions(y_A: float, c: Control, Q_ell: float, Q_delta: float) -> PerLine:
     """Tensions [N] whose virtual work is Q_ℓ dℓ + Q_δ dδ: a line does -T dL."""
     L_plus = line_motion(y_A, c, 1.0).length
     L_minus = line_motion(y_A, c, -1.0).length
     # L± ∂L±/∂ℓ = ℓ ± y_A sin δ, L± ∂L±/∂δ = ±ℓ y_A cos δ
     difference = -Q_delta / (c.ell * y_A * cos(c.delta))  # T₊/L₊ - T₋/L₋
     total = (-Q_ell - y_A * sin(c.delta) * difference) / c.ell  # T₊/L₊ + T₋/L₋
-    return Pair(0.5 * (total + difference) * L_plus, 0.5 * (total - difference) * L_minus)
+    return PerLine(0.5 * (total + difference) * L_plus, 0.5 * (total - difference) * L_minus)

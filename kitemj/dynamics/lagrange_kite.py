@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
+from kitemj.dynamics.batch import COLUMNS, carry_law, fill_rows, present_law
 from kitemj.dynamics.lagrange import accelerations, body
-from kitemj.dynamics.motion import Motion, Pair, Snapshot, State, air_of
-from kitemj.dynamics.survey import COLUMNS, carry_law, moment_law, surveyed
+from kitemj.dynamics.motion import Motion, PerLine, Snapshot, State, air_of
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles
@@ -75,7 +75,7 @@ def motion_at(parameters: Parameters, programme: Programme, t: float, state: Sta
     tensions = accelerations(parameters, c, t, state.q, state.q_dot).tensions
     pose = body(parameters, state.q, state.q_dot, c)
     y_A = parameters.kite.y_A
-    lengths = Pair(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length)
+    lengths = PerLine(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length)
     return Motion(t, state.q, pose, c, lengths, tensions, air_of(parameters, pose, t))
 
 
@@ -121,9 +121,9 @@ def carry(flight: LagrangeFlight, t: float, end: float) -> float:
     return carried(system, flight.room, t, end, flight.tolerance)
 
 
-@moment_law.of(LagrangeFlight)
+@present_law.of(LagrangeFlight)
 @compiled
-def moment(flight: LagrangeFlight, t: float) -> Motion:
+def present(flight: LagrangeFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
     return motion_at(flight.parameters, flight.programme, t, state_of(flight.room.x))
 
@@ -200,7 +200,7 @@ class LagrangeKite:
             raise FlightError(self.name, self.t, found.message, motions)
         return motions
 
-    def survey(
+    def batch(
         self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
     ) -> NDArray[np.float64]:
         """Rows of `surveyed` at `times` (n,) [s] from the start on; those that hold.
@@ -209,7 +209,7 @@ class LagrangeKite:
         """
         rows = np.empty((len(times), COLUMNS))
         flight = LagrangeFlight(self.parameters, programme, room_for(self._x()), tolerance)
-        return rows[: surveyed(flight, self.parameters, times, touch, rows)]
+        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
 
     def _x(self) -> NDArray[np.float64]:
         """(q, q̇) in a row, (8,)."""

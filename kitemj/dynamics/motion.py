@@ -7,13 +7,14 @@ from numpy.typing import NDArray
 
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles, angles
+from kitemj.physics.kite import Kite
 from kitemj.physics.loads import Air, air
-from kitemj.physics.parameters import Kite, Parameters
+from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Programme
 from kitemj.physics.vectors import Rotation, Vector, cross, plus, times, unrotated
 
 
-class Pair(NamedTuple):
+class PerLine(NamedTuple):
     """A number for each line: A₊ (the pilot's left) and A₋ (the pilot's right)."""
 
     plus: float
@@ -47,8 +48,8 @@ class Motion(NamedTuple):
     q: Angles
     body: Body
     control: Control
-    lengths: Pair
-    tensions: Pair
+    lengths: PerLine
+    tensions: PerLine
     air: Air
 
 
@@ -83,7 +84,7 @@ class Model(Protocol):
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], ascending, not before now; the last becomes now."""
 
-    def survey(
+    def batch(
         self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
     ) -> NDArray[np.float64]:
         """The flight from its start through `times` (n,) [s] at one go: rows of a survey.

@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kitemj.dynamics.batch import COLUMNS, carry_law, fill_rows, present_law
 from kitemj.dynamics.engine import Array, Engine, body_of, build, place
-from kitemj.dynamics.motion import Motion, Pair, Snapshot, State, air_of, angles_of
+from kitemj.dynamics.motion import Motion, PerLine, Snapshot, State, air_of, angles_of
 from kitemj.dynamics.slack import TAUT, catch, release, run_out, slack_excess
 from kitemj.dynamics.straight import straight_body
-from kitemj.dynamics.survey import COLUMNS, carry_law, moment_law, surveyed
 from kitemj.dynamics.taut import evaluate, settle, tensions
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
@@ -183,7 +183,7 @@ def motion_at(engine: Engine, parameters: Parameters, programme: Programme, t: f
     _keep(engine.softness_before, engine.softness)
     body, c, y_A = body_of(engine), control(programme, t), parameters.kite.y_A
     pull = tensions(engine, parameters, body)
-    lengths = Pair(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length)
+    lengths = PerLine(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length)
     air = air_of(parameters, body, t)
     return Motion(t, angles_of(parameters, body), body, c, lengths, pull, air)
 
@@ -207,9 +207,9 @@ def carry(flight: MujocoFlight, t: float, end: float) -> float:
     return end
 
 
-@moment_law.of(MujocoFlight)
+@present_law.of(MujocoFlight)
 @compiled
-def moment(flight: MujocoFlight, t: float) -> Motion:
+def present(flight: MujocoFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
     return motion_at(flight.engine, flight.parameters, flight.programme, t)
 
@@ -276,11 +276,11 @@ class MujocoKite:
             motions.append(self.motion(programme))
         return motions
 
-    def survey(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
+    def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `surveyed` at `times` (n,) [s] from the start on; those that hold.
 
         The steps are the model's own; `tolerance` is for models with error control.
         """
         rows = np.empty((len(times), COLUMNS))
         flight = MujocoFlight(self._engine, self.parameters, programme, self.step)
-        return rows[: surveyed(flight, self.parameters, times, touch, rows)]
+        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]

@@ -22,11 +22,12 @@ steering on 200 m lines and of loops on 20 m lines, the adaptive integrator drif
 from math import cos, sin, sqrt
 from typing import NamedTuple
 
-from kitemj.dynamics.motion import Body, Pair, State
+from kitemj.dynamics.motion import Body, PerLine, State
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import R_1E, R_BE, Quaternion, R_BE_of, quaternion
+from kitemj.physics.kite import Kite
 from kitemj.physics.loads import aerodynamic_wrench
-from kitemj.physics.parameters import Kite, Parameters
+from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Programme, control, line_motion
 from kitemj.physics.vectors import (
     Vector,
@@ -55,7 +56,7 @@ class Accelerations(NamedTuple):
 
     a_G_E: Vector
     omega_dot_B: Vector
-    tensions: Pair
+    tensions: PerLine
 
 
 class Line(NamedTuple):
@@ -77,7 +78,7 @@ class Pull(NamedTuple):
 
     linear_E: Vector
     angular_B: Vector
-    pulls: Pair
+    pulls: PerLine
 
 
 @compiled
@@ -118,7 +119,7 @@ def line(kite: Kite, body: Body, side: float) -> Line:
 
 
 @compiled
-def pull(kite: Kite, a: Line, b: Line, shortening: Pair) -> Pull:
+def pull(kite: Kite, a: Line, b: Line, shortening: PerLine) -> Pull:
     """The pulls T on lines `a` and `b` that together give a wanted `shortening`, and -M⁻¹JᵀT.
 
     (J M⁻¹ Jᵀ) T = shortening: forces [N] for second derivatives [m/s²] of the distances,
@@ -134,7 +135,7 @@ def pull(kite: Kite, a: Line, b: Line, shortening: Pair) -> Pull:
     return Pull(
         plus(times(-T_a / kite.mass, a.u_E), times(-T_b / kite.mass, b.u_E)),
         plus(times(-T_a, turn_a), times(-T_b, turn_b)),
-        Pair(T_a, T_b),
+        PerLine(T_a, T_b),
     )
 
 
@@ -154,7 +155,7 @@ def accelerations(
     loose_b = dot(b.u_E, a_E) + dot(b.lever_B, omega_dot_B) + b.turning
     wanted_a = line_motion(kite.y_A, c, 1.0).acceleration
     wanted_b = line_motion(kite.y_A, c, -1.0).acceleration
-    held = pull(kite, a, b, Pair(loose_a - wanted_a, loose_b - wanted_b))
+    held = pull(kite, a, b, PerLine(loose_a - wanted_a, loose_b - wanted_b))
     return Accelerations(plus(a_E, held.linear_E), plus(omega_dot_B, held.angular_B), held.pulls)
 
 
@@ -211,7 +212,7 @@ def corrected(parameters: Parameters, programme: Programme, t: float, y: Free) -
 
     body = body_of(y)
     a, b = line(kite, body, 1.0), line(kite, body, -1.0)
-    excess = Pair(a.distance - want_a.length, b.distance - want_b.length)
+    excess = PerLine(a.distance - want_a.length, b.distance - want_b.length)
     shift = pull(kite, a, b, excess)
     p_G_E, e = plus(y.p_G_E, shift.linear_E), unit(y.e)
     small = turned(e, shift.angular_B)
@@ -219,7 +220,7 @@ def corrected(parameters: Parameters, programme: Programme, t: float, y: Free) -
 
     body = Body(p_G_E, R_BE_of(e), y.v_G_E, y.omega_B)
     a, b = line(kite, body, 1.0), line(kite, body, -1.0)
-    excess = Pair(a.rate - want_a.rate, b.rate - want_b.rate)
+    excess = PerLine(a.rate - want_a.rate, b.rate - want_b.rate)
     kick = pull(kite, a, b, excess)
     return Free(p_G_E, e, plus(y.v_G_E, kick.linear_E), plus(y.omega_B, kick.angular_B))
 

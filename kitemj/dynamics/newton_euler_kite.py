@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.motion import Motion, Pair, Snapshot, State, air_of, angles_of
+from kitemj.dynamics.batch import COLUMNS, carry_law, fill_rows, present_law
+from kitemj.dynamics.motion import Motion, PerLine, Snapshot, State, air_of, angles_of
 from kitemj.dynamics.newton_euler import (
     Free,
     accelerations,
@@ -17,7 +18,6 @@ from kitemj.dynamics.newton_euler import (
     placed,
     rates,
 )
-from kitemj.dynamics.survey import COLUMNS, carry_law, moment_law, surveyed
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Quaternion
@@ -85,7 +85,7 @@ def motion_of(parameters: Parameters, programme: Programme, t: float, y: Free) -
         angles_of(parameters, body),
         body,
         c,
-        Pair(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length),
+        PerLine(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length),
         accelerations(parameters, programme, t, body).tensions,
         air_of(parameters, body, t),
     )
@@ -101,9 +101,9 @@ def carry(flight: NewtonEulerFlight, t: float, end: float) -> float:
     return reached
 
 
-@moment_law.of(NewtonEulerFlight)
+@present_law.of(NewtonEulerFlight)
 @compiled
-def moment(flight: NewtonEulerFlight, t: float) -> Motion:
+def present(flight: NewtonEulerFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
     return motion_of(flight.parameters, flight.programme, t, free(flight.room.x))
 
@@ -163,7 +163,7 @@ class NewtonEulerKite:
             motions.append(self.motion(programme))
         return motions
 
-    def survey(
+    def batch(
         self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
     ) -> NDArray[np.float64]:
         """Rows of `surveyed` at `times` (n,) [s] from the start on; those that hold.
@@ -172,7 +172,7 @@ class NewtonEulerKite:
         """
         rows = np.empty((len(times), COLUMNS))
         flight = self._adaptive(programme, tolerance)
-        return rows[: surveyed(flight, self.parameters, times, touch, rows)]
+        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
 
     def _adaptive(self, programme: Programme, tolerance: float) -> NewtonEulerFlight:
         x = np.empty(13)

@@ -15,7 +15,7 @@ next, a ten-thousandth of the change of the line's force.
 from typing import NamedTuple
 
 from kitemj.dynamics.engine import Engine, body_of, forward
-from kitemj.dynamics.motion import Body, Pair, attachment_E, attachment_velocity_E
+from kitemj.dynamics.motion import Body, PerLine, attachment_E, attachment_velocity_E
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import world
 from kitemj.physics.loads import aerodynamic_wrench
@@ -122,7 +122,7 @@ def spin_of(parameters: Parameters, H_B: Vector) -> Vector:
 
 
 @compiled
-def tensions(engine: Engine, parameters: Parameters, body: Body) -> Pair:
+def tensions(engine: Engine, parameters: Parameters, body: Body) -> PerLine:
     """Tensions [N] at the evaluation before; 0 for a slack line.
 
     From what the constraints did to the accelerations, J M⁻¹ Jᵀ f = J (q̈ - q̈_smooth), which
@@ -134,8 +134,8 @@ def tensions(engine: Engine, parameters: Parameters, body: Body) -> Pair:
     by_left, by_right = _constrained(engine, left), _constrained(engine, right)
     if engine.eq_active[0] and engine.eq_active[1]:
         D = a * b - c * c
-        return Pair((c * by_right - b * by_left) / D, (c * by_left - a * by_right) / D)
-    return Pair(
+        return PerLine((c * by_right - b * by_left) / D, (c * by_left - a * by_right) / D)
+    return PerLine(
         -by_left / a if engine.eq_active[0] else 0.0, -by_right / b if engine.eq_active[1] else 0.0
     )
 

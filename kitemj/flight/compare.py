@@ -10,7 +10,7 @@ import numpy as np
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.scenario import Scenario
-from kitemj.flight.simulate import Flight, simulate
+from kitemj.flight.simulate import Simulation, simulate
 
 POSITION_TOLERANCE = 1e-6
 """m; what the project promises of MuJoCo at its default step over a minute of calm flight."""
@@ -72,7 +72,7 @@ def tension_gap(a: Motion, b: Motion) -> float:
     return float(np.max(np.abs(np.subtract(a.tensions, b.tensions))))
 
 
-def compare(flight: Flight, reference: Flight) -> Comparison:
+def compare(flight: Simulation, reference: Simulation) -> Comparison:
     """Gaps between two flights of one scenario, row by row.
 
     Raises InputError where a line is slack at once, so that nothing can be compared.

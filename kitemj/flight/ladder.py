@@ -20,7 +20,7 @@ from kitemj.errors import FlightError
 from kitemj.flight.agreement import imbalance, orders, relative, spatial_accelerations
 from kitemj.flight.compare import TENSION_TOLERANCE, compare, position_gap
 from kitemj.flight.scenario import Scenario
-from kitemj.flight.simulate import DEFAULT_STEP, Flight, make_model, simulate
+from kitemj.flight.simulate import DEFAULT_STEP, Simulation, make_model, simulate
 from kitemj.physics.frames import world
 from kitemj.physics.steering import control
 from kitemj.physics.vectors import Vector
@@ -124,7 +124,7 @@ def _instantaneous(
     ]
 
 
-def _flown(scenario: Scenario, reference: Flight, model: str, step: float) -> list[Rung]:
+def _flown(scenario: Scenario, reference: Simulation, model: str, step: float) -> list[Rung]:
     """Trajectories, energy balance and order of convergence."""
     gaps = compare(simulate(scenario, model, step), reference)
     balance = imbalance(scenario.parameters, every_step(scenario, model, step))

@@ -11,9 +11,9 @@ from typing import NamedTuple
 from kitemj.dynamics.motion import Motion, Snapshot, State
 from kitemj.errors import FlightError
 from kitemj.flight.compare import position_gap
+from kitemj.flight.limits import Departure, Ending, departure_at, touches_ground
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import DEFAULT_STEP, make_model
-from kitemj.flight.validity import Departure, Ending, departure_at, touches_ground
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, Segment, control, rest_ell
 
@@ -32,7 +32,7 @@ class Command(NamedTuple):
     law: StickLaw = StickLaw.ANGLE
 
 
-class Moment(NamedTuple):
+class TickResult(NamedTuple):
     """What is known at the end of a tick; `reference` is None once it left its validity.
 
     `wish` [rad] is the δ that the stick asks for, `gap` [m] the distance to the reference.
@@ -51,9 +51,9 @@ class Saved(NamedTuple):
     ticks: int
     segment: Segment
     following: bool
-    moment: Moment
+    result: TickResult
     kite: Snapshot
-    ghost: Snapshot
+    reference: Snapshot
 
 
 class LiveFlight:
@@ -74,11 +74,11 @@ class LiveFlight:
         self.starts = (scenario.start, *other_starts)
         self.scenario, self.parameters, self.step = scenario, parameters, step
         self.kite = make_model(model, parameters, step)
-        self.ghost = make_model(reference, parameters, step)
+        self.reference = make_model(reference, parameters, step)
         self.ell_rest = rest_ell(parameters.lines.length, parameters.kite.y_A)
         self.restart()
 
-    def restart(self, start: int = 0) -> Moment:
+    def restart(self, start: int = 0) -> TickResult:
         """Back to that of the `starts`, lines still; the first moment of the flight."""
         at_start = control(self.scenario.programme, 0.0)
         still = Control(at_start.ell, 0.0, 0.0, at_start.delta, 0.0, 0.0)
@@ -86,11 +86,11 @@ class LiveFlight:
         self.segment = Segment(0.0, still)
         self._following = True
         self.kite.start(self.starts[start], self.segment)
-        self.ghost.start(self.starts[start], self.segment)
-        self.moment = self._moment(still.delta)
-        return self.moment
+        self.reference.start(self.starts[start], self.segment)
+        self.result = self._result(still.delta)
+        return self.result
 
-    def tick(self, command: Command) -> Moment:
+    def tick(self, command: Command) -> TickResult:
         """Flies one tick with the stick at `command`; raises FlightError where that diverges."""
         limits, start = self.parameters.stick, self.ticks * TICK
         reach = self.ell_rest + command.ell * limits.ell
@@ -101,17 +101,17 @@ class LiveFlight:
 
     def save(self) -> Saved:
         """The flight as it is now."""
-        kite, ghost = self.kite.snapshot(), self.ghost.snapshot()
-        return Saved(self.ticks, self.segment, self._following, self.moment, kite, ghost)
+        kite, reference = self.kite.snapshot(), self.reference.snapshot()
+        return Saved(self.ticks, self.segment, self._following, self.result, kite, reference)
 
-    def resume(self, saved: Saved) -> Moment:
+    def resume(self, saved: Saved) -> TickResult:
         """Back to a moment of this flight; it was looked at then, so it is not flown again."""
-        self.ticks, self.segment, self._following, self.moment, kite, ghost = saved
+        self.ticks, self.segment, self._following, self.result, kite, reference = saved
         self.kite.restore(kite)
-        self.ghost.restore(ghost)
-        return self.moment
+        self.reference.restore(reference)
+        return self.result
 
-    def fly(self, segment: Segment, wish: float = 0.0) -> Moment:
+    def fly(self, segment: Segment, wish: float = 0.0) -> TickResult:
         """Both models through one tick of `segment`; `wish` [rad] is the δ asked for."""
         self.segment = segment
         self.ticks += 1
@@ -119,12 +119,12 @@ class LiveFlight:
         self.kite.t = self.ticks * TICK
         if self._following:
             try:
-                self.ghost.advance(segment, TICK)
-                self.ghost.t = self.ticks * TICK
+                self.reference.advance(segment, TICK)
+                self.reference.t = self.ticks * TICK
             except FlightError:
                 self._following = False
-        self.moment = self._moment(wish)
-        return self.moment
+        self.result = self._result(wish)
+        return self.result
 
     def warm_up(self) -> None:
         """Compiles whatever a flight needs, then starts anew: no first tick may be late."""
@@ -132,7 +132,7 @@ class LiveFlight:
             self.tick(Command(1.0))
         self.restart()
 
-    def _moment(self, wish: float) -> Moment:
+    def _result(self, wish: float) -> TickResult:
         motion = self.kite.motion(self.segment)
         departure = departure_at(self.parameters, motion)
         if touches_ground(self.parameters, motion):
@@ -141,7 +141,7 @@ class LiveFlight:
         parting = {Ending.GROUND} if self.parameters.lines.rigid else {Ending.GROUND, Ending.SLACK}
         if departure and departure.ending in parting:
             self._following = False
-        reference = self.ghost.motion(self.segment) if self._following else None
+        reference = self.reference.motion(self.segment) if self._following else None
         if reference is None or not isfinite(reference.body.p_G_E.x):
-            return Moment(motion, None, wish, None, departure)
-        return Moment(motion, reference, wish, position_gap(motion, reference), departure)
+            return TickResult(motion, None, wish, None, departure)
+        return TickResult(motion, reference, wish, position_gap(motion, reference), departure)

@@ -43,7 +43,7 @@ class Offsets(NamedTuple):
     theta_dot: Annotated[float, Quantity("rad/s", "θ̇")] = 0.0
 
 
-class Table(NamedTuple):
+class SteeringTable(NamedTuple):
     """Columns of a steering table; a cubic spline goes through the rows."""
 
     t: Annotated[tuple[float, ...], Quantity("s", "times, ascending, from 0 to the duration")]
@@ -123,7 +123,9 @@ def _programme(
     rest = rest_ell(parameters.lines.length, parameters.kite.y_A)
     kind = _choice(table, "programme", PROGRAMMES, f"{source}, [steering]")
     if kind == "table":
-        return _spline(checked(Table, table, "steering", source), rest, parameters, times, source)
+        return _spline(
+            checked(SteeringTable, table, "steering", source), rest, parameters, times, source
+        )
     if kind == "rest" and set(table) - {"ell", "delta"}:
         odd = next(iter(set(table) - {"ell", "delta"}))
         raise InputError(
@@ -136,7 +138,7 @@ def _programme(
 
 
 def _spline(
-    table: Table, rest: float, parameters: Parameters, times: Times, source: str
+    table: SteeringTable, rest: float, parameters: Parameters, times: Times, source: str
 ) -> Programme:
     t = np.array(table.t)
     ell = np.full(len(t), rest) if table.ell is None else np.array(table.ell)

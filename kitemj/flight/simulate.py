@@ -6,8 +6,8 @@ import numpy as np
 
 from kitemj.dynamics.motion import Model, Motion
 from kitemj.errors import FlightError, InputError
+from kitemj.flight.limits import Departure, Ending, first_departure, touches_ground
 from kitemj.flight.scenario import Scenario
-from kitemj.flight.validity import Departure, Ending, first_departure, touches_ground
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 
@@ -19,7 +19,7 @@ MAX_STEP = 0.1
 
 
 @dataclass(frozen=True)
-class Flight:
+class Simulation:
     """What came of it: the motions, how it ended, where it first left the limits of validity."""
 
     model: str
@@ -54,7 +54,7 @@ def check_model(name: str, step: float) -> None:
         raise InputError(f"there is no model {name!r}; there are: {', '.join(MODELS)}")
 
 
-def simulate(scenario: Scenario, model: str = "mujoco", step: float = DEFAULT_STEP) -> Flight:
+def simulate(scenario: Scenario, model: str = "mujoco", step: float = DEFAULT_STEP) -> Simulation:
     """Flies `scenario` from start to end, or until it touches the ground or diverges.
 
     `step` [s] is the longest step of models with fixed steps. Raises InputError for an
@@ -73,7 +73,7 @@ def simulate(scenario: Scenario, model: str = "mujoco", step: float = DEFAULT_ST
             break
     motions = continuous(motions)
     departure = first_departure(scenario.parameters, motions)
-    return Flight(model, scenario, motions, ending, departure, note)
+    return Simulation(model, scenario, motions, ending, departure, note)
 
 
 def continuous(motions: list[Motion]) -> list[Motion]:

@@ -4,14 +4,12 @@ To add a model: a ``NamedTuple`` of its numbers and a function of the contract o
 `coefficients`, registered with ``@aero_law.of(MyAero)`` and compiled.
 """
 
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from typing import Annotated, NamedTuple
 
 from kitemj.physics.compiled import compiled, law
+from kitemj.physics.kite import Kite
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.vectors import Vector
-
-if TYPE_CHECKING:
-    from kitemj.physics.parameters import Kite
 
 PER_RAD = "1/rad"
 
@@ -64,7 +62,7 @@ class TableAero(NamedTuple):
 
 def _coefficients(
     aero: LinearAero | TableAero,
-    kite: "Kite",
+    kite: Kite,
     alpha: float,
     beta: float,
     omega_B: Vector,
@@ -81,7 +79,7 @@ coefficients, aero_law = law(_coefficients)
 @compiled
 def linear_coefficients(
     aero: LinearAero,
-    kite: "Kite",
+    kite: Kite,
     alpha: float,
     beta: float,
     omega_B: Vector,
@@ -105,7 +103,7 @@ def linear_coefficients(
 @compiled
 def table_coefficients(
     aero: TableAero,
-    kite: "Kite",
+    kite: Kite,
     alpha: float,
     beta: float,
     omega_B: Vector,

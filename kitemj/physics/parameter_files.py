@@ -11,7 +11,8 @@ import numpy as np
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import LinearAero, TableAero
 from kitemj.physics.checked import checked, in_radians, unknown_key
-from kitemj.physics.parameters import Environment, Kite, Limits, Lines, Parameters, StickLimits
+from kitemj.physics.kite import Kite, Lines
+from kitemj.physics.parameters import Environment, Limits, Parameters, StickLimits
 from kitemj.physics.wind import Wind
 
 ROUNDING = 1e-12

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kitemj.errors import InputError
-from kitemj.flight.output import check_new, new_file
+from kitemj.files import check_new, new_file
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

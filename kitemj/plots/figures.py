@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from kitemj.errors import InputError
-from kitemj.plots.flown import Flown
+from kitemj.plots.flight import Flight
 from kitemj.plots.path import path_figure
 from kitemj.plots.series import (
     angles_figure,
@@ -20,7 +20,7 @@ from kitemj.plots.window import window_figure
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-FIGURES: dict[str, Callable[[Flown], Figure]] = {
+FIGURES: dict[str, Callable[[Flight], Figure]] = {
     "state": state_figure,
     "rates": rates_figure,
     "tensions": tensions_figure,
@@ -31,7 +31,7 @@ FIGURES: dict[str, Callable[[Flown], Figure]] = {
 }
 
 
-def drawn(flown: Flown, names: list[str]) -> tuple[dict[str, Figure], list[str]]:
+def drawn(flight: Flight, names: list[str]) -> tuple[dict[str, Figure], list[str]]:
     """The figures called `names`; none of them: all that can be drawn, and why others cannot.
 
     Raises InputError for a figure that was named and cannot be drawn.
@@ -39,7 +39,7 @@ def drawn(flown: Flown, names: list[str]) -> tuple[dict[str, Figure], list[str]]
     figures, lacking = {}, []
     for name in names or FIGURES:
         try:
-            figures[name] = FIGURES[name](flown)
+            figures[name] = FIGURES[name](flight)
         except InputError as error:
             if names:
                 raise

@@ -12,18 +12,27 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kitemj.physics.parameters import Parameters
-from kitemj.plots.flown import AIR_AND_LINES, Array, Flown
-from kitemj.plots.sheet import LEFT, RIGHT, Look, curve, legend, name_axis, show_limits, time_sheet
+from kitemj.plots.flight import AIR_AND_LINES, Array, Flight
+from kitemj.plots.sheet import (
+    LEFT,
+    RIGHT,
+    LineStyle,
+    curve,
+    legend,
+    name_axis,
+    show_limits,
+    time_sheet,
+)
 from kitemj.recording.table import Columns
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-LOOKS = {
-    "T₊/T_max": Look(r"$T_+/T_\mathrm{max}$ (left)", LEFT),
-    "T₋/T_max": Look(r"$T_-/T_\mathrm{max}$ (right)", RIGHT, (0, (5, 2))),
-    "α/α_stall": Look(r"$\alpha/\alpha_\mathrm{stall}$", "black", "-."),
-    "|β|/β_max": Look(r"$|\beta|/\beta_\mathrm{max}$", "#A05A00", (0, (1.2, 1.2)), 1.8),
+STYLES = {
+    "T₊/T_max": LineStyle(r"$T_+/T_\mathrm{max}$ (left)", LEFT),
+    "T₋/T_max": LineStyle(r"$T_-/T_\mathrm{max}$ (right)", RIGHT, (0, (5, 2))),
+    "α/α_stall": LineStyle(r"$\alpha/\alpha_\mathrm{stall}$", "black", "-."),
+    "|β|/β_max": LineStyle(r"$|\beta|/\beta_\mathrm{max}$", "#A05A00", (0, (1.2, 1.2)), 1.8),
 }
 CEILINGS = ("T₊/T_max", "T₋/T_max")
 LOW = {
@@ -65,20 +74,20 @@ def limit_ratios(parameters: Parameters, columns: Columns) -> dict[str, Array]:
     }
 
 
-def flown_ratios(flown: Flown) -> dict[str, Array]:
+def flight_ratios(flight: Flight) -> dict[str, Array]:
     """The same of a flight; InputError where it lacks a column."""
-    columns = {name: flown.column(name, "the limits") for name in AIR_AND_LINES}
-    return limit_ratios(flown.parameters, columns)
+    columns = {name: flight.column(name, "the limits") for name in AIR_AND_LINES}
+    return limit_ratios(flight.parameters, columns)
 
 
-def extremes(flown: Flown) -> list[Extremes]:
+def extremes(flight: Flight) -> list[Extremes]:
     """Smallest and largest of each ratio, when, and when and why it was first outside.
 
     Raises InputError where `flown` lacks a column.
     """
-    t = flown.t.tolist()
+    t = flight.t.tolist()
     found = []
-    for name, ratio in flown_ratios(flown).items():
+    for name, ratio in flight_ratios(flight).items():
         too_low = (ratio <= 0.0) & (name in LOW)
         # the ceiling of a line may be reached, the angles must stay below theirs
         too_high = ratio > 1.0 if name in CEILINGS else ratio >= 1.0
@@ -92,15 +101,15 @@ def extremes(flown: Flown) -> list[Extremes]:
     return found
 
 
-def limits_figure(flown: Flown, title: str = "") -> Figure:
+def limits_figure(flight: Flight, title: str = "") -> Figure:
     """The ratios over time; shaded where they are outside. `title` in place of the flight's name.
 
     Raises InputError where `flown` lacks a column.
     """
-    ratios = flown_ratios(flown)
-    figure, (ax,) = time_sheet(flown, title or f"Physical limits: {flown.name}", 1, 4.2)
+    ratios = flight_ratios(flight)
+    figure, (ax,) = time_sheet(flight, title or f"Physical limits: {flight.name}", 1, 4.2)
     for name, ratio in ratios.items():
-        curve(ax, flown, ratio, LOOKS[name])
+        curve(ax, flight, ratio, STYLES[name])
     name_axis(ax, "part of the limit", "-")
     show_limits(ax, (0.0, 1.0), ("0: slack, or α = 0", "1: the limit"))
     legend(ax)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kitemj.physics.frames import R_BE, Angles
-from kitemj.plots.flown import Array, Flown
+from kitemj.plots.flight import Array, Flight
 from kitemj.plots.sheet import (
     LEFT_WING,
     LETTERING,
@@ -16,7 +16,7 @@ from kitemj.plots.sheet import (
     PLUS,
     RIGHT_WING,
     SMALL,
-    Look,
+    LineStyle,
     foot,
     parts_of_way,
     sheet,
@@ -35,24 +35,24 @@ FLAT = 0.5
 """No side of the box is shorter than this part of its longest."""
 EYE = {"elev": 18.0, "azim": 38.0}
 """deg; upwind of the pilot and to the right."""
-GROUND = Look("path on the ground", "0.7", "-", 0.8)
+GROUND = LineStyle("path on the ground", "0.7", "-", 0.8)
 
 
-def path_figure(flown: Flown) -> Figure:
+def path_figure(flight: Flight) -> Figure:
     """The path of G [m], seen from behind the pilot's right shoulder, with lines and wings.
 
     Raises InputError where position or state lack.
     """
-    p = flown.matrix(POSITION, "the path") * UPRIGHT
-    figure = sheet(f"Path: {flown.name}", 6.8)
+    p = flight.matrix(POSITION, "the path") * UPRIGHT
+    figure = sheet(f"Path: {flight.name}", 6.8)
     ax: Any = figure.add_subplot(projection="3d", **EYE)
     size = 0.25 * float(np.abs(p).max())
     _set_box(ax, np.vstack([p, np.diag(UPRIGHT) * size, [[0, size, 0]]]))
-    drawn = [ax.plot(*p[rows].T, **look._asdict())[0] for rows, look in parts_of_way(flown)]
+    drawn = [ax.plot(*p[rows].T, **style._asdict())[0] for rows, style in parts_of_way(flight)]
     drawn += ax.plot(p[:, 0], p[:, 1], 0.0 * p[:, 2], **GROUND._asdict())
     for row in np.unique(np.linspace(0, len(p) - 1, KITES).astype(int)):
-        wings = _draw_kite(ax, flown, int(row))
-    _draw_frame(ax, flown, size)
+        wings = _draw_kite(ax, flight, int(row))
+    _draw_frame(ax, flight, size)
     ax.tick_params(labelsize=SMALL)
     ax.set_xlabel("$x_E$, into the wind [m]", fontsize=LETTERING)
     ax.set_ylabel("$-y_E$, to the right [m]", fontsize=LETTERING)
@@ -61,9 +61,9 @@ def path_figure(flown: Flown) -> Figure:
     return figure
 
 
-def attitude(flown: Flown, row: int) -> Array:
+def attitude(flight: Flight, row: int) -> Array:
     """R_BE at a row, shape (3, 3): x_B, y_B, z_B as rows, components in E."""
-    q = flown.matrix(ANGLES, "the attitude")[row]
+    q = flight.matrix(ANGLES, "the attitude")[row]
     return np.array(R_BE(Angles(*q.tolist())))
 
 
@@ -78,25 +78,25 @@ def _set_box(ax: Any, points: Array) -> None:
     ax.set_box_aspect(sides, zoom=1.0)
 
 
-def _draw_kite(ax: Any, flown: Flown, row: int) -> list[Any]:
+def _draw_kite(ax: Any, flight: Flight, row: int) -> list[Any]:
     """Both lines to their attachments, and the wings, to scale; returns the wings."""
-    kite, R = flown.parameters.kite, attitude(flown, row)
-    G, wings = flown.matrix(POSITION, "the path")[row], []
-    for side, look, broad in ((1.0, PLUS, LEFT_WING), (-1.0, MINUS, RIGHT_WING)):
+    kite, R = flight.parameters.kite, attitude(flight, row)
+    G, wings = flight.matrix(POSITION, "the path")[row], []
+    for side, style, broad in ((1.0, PLUS, LEFT_WING), (-1.0, MINUS, RIGHT_WING)):
         A = G + np.array([kite.x_A, side * kite.y_A, kite.z_A]) @ R
         line = np.array([0.0 * A, A]) * UPRIGHT
         wing = np.array([G, G + side * kite.span / 2 * R[1]]) * UPRIGHT
-        ax.plot(*line.T, **look._replace(label="_", linewidth=0.6)._asdict())
+        ax.plot(*line.T, **style._replace(label="_", linewidth=0.6)._asdict())
         wings += ax.plot(*wing.T, **broad._asdict())
     return wings
 
 
-def _draw_frame(ax: Any, flown: Flown, size: float) -> None:
+def _draw_frame(ax: Any, flight: Flight, size: float) -> None:
     """x_E, y_E, z_E at O_E, arrows of `size` [m], and the wind beside them."""
     for axis, name in zip(np.diag(UPRIGHT) * size, ("$x_E$", "$y_E$", "$z_E$"), strict=True):
         ax.quiver(0, 0, 0, *axis, color="black", linewidth=1.0, arrow_length_ratio=0.12)
         ax.text(*(1.25 * axis), name, fontsize=LETTERING)
-    wind = flown.parameters.wind
+    wind = flight.parameters.wind
     blows = 1.5 * size * np.array([-cos(wind.azimuth), -sin(wind.azimuth), 0.0]) * UPRIGHT
     start = np.array([0.3 * size, 0.8 * size, 0.0])
     ax.quiver(*start, *blows, color="0.3", linewidth=2.2, arrow_length_ratio=0.12)

@@ -2,13 +2,13 @@
 
 import numpy as np
 
-from kitemj.plots.flown import Array, Flown
+from kitemj.plots.flight import Array, Flight
 from kitemj.recording.table import ATTITUDE, RATES, VELOCITY
 
 POSITION = ("x_E_m", "y_E_m", "z_E_m")
 
 
-def q_dot(flown: Flown) -> Array:
+def q_dot(flight: Flight) -> Array:
     """φ̇, γ̇, η̇, θ̇ [rad/s] of each row, shape (rows, 4): the derivative of `frames.angles`.
 
     With p the midpoint of the attachments, moving at v, and j_2 = y_B: x_1 is along p x j_2,
@@ -16,12 +16,12 @@ def q_dot(flown: Flown) -> Array:
     a number where x_1 is vertical. Raises InputError where a column lacks.
     """
     needed = "the rates"
-    R_BE = flown.matrix(ATTITUDE, needed).reshape(-1, 3, 3)
-    omega_B, v_G = flown.matrix(RATES, needed), flown.matrix(VELOCITY, needed)
-    kite = flown.parameters.kite
+    R_BE = flight.matrix(ATTITUDE, needed).reshape(-1, 3, 3)
+    omega_B, v_G = flight.matrix(RATES, needed), flight.matrix(VELOCITY, needed)
+    kite = flight.parameters.kite
     to_O2 = np.array([kite.x_A, 0.0, kite.z_A])
     omega = _in_E(R_BE, omega_B)
-    p = flown.matrix(POSITION, needed) + _in_E(R_BE, np.broadcast_to(to_O2, v_G.shape))
+    p = flight.matrix(POSITION, needed) + _in_E(R_BE, np.broadcast_to(to_O2, v_G.shape))
     v = v_G + _in_E(R_BE, np.cross(omega_B, to_O2))
     j_2 = R_BE[:, 1]
     normal = np.cross(p, j_2)

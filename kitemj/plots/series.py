@@ -9,12 +9,12 @@ import numpy as np
 
 from kitemj.errors import InputError
 from kitemj.physics.steering import rest_ell
-from kitemj.plots.flown import Array, Flown
+from kitemj.plots.flight import Array, Flight
 from kitemj.plots.rates import q_dot
 from kitemj.plots.sheet import (
     MINUS,
     PLUS,
-    Look,
+    LineStyle,
     closer,
     curve,
     legend,
@@ -31,78 +31,78 @@ STATE = ("phi_rad", "gamma_rad", "eta_rad", "theta_rad")
 SYMBOLS = (r"\varphi", r"\gamma", r"\eta", r"\theta")
 LENGTHS = ("length_plus_m", "length_minus_m")
 TENSIONS = ("tension_plus_N", "tension_minus_N")
-ASKED = Look("asked for by the stick", "#A05A00", (0, (1.2, 1.2)), 1.8)
-FLOWN = Look("flown")
+ASKED = LineStyle("asked for by the stick", "#A05A00", (0, (1.2, 1.2)), 1.8)
+FLOWN = LineStyle("flown")
 TALL = 7.5  # inches, of four diagrams
 
 
-def state_figure(flown: Flown) -> Figure:
+def state_figure(flight: Flight) -> Figure:
     """φ, γ, η, θ [deg], free of jumps by a whole turn."""
-    q = np.degrees(np.unwrap(flown.matrix(STATE, "the state"), axis=0))
-    figure, axes = time_sheet(flown, f"State: {flown.name}", 4, TALL)
+    q = np.degrees(np.unwrap(flight.matrix(STATE, "the state"), axis=0))
+    figure, axes = time_sheet(flight, f"State: {flight.name}", 4, TALL)
     for ax, column, symbol in zip(axes, q.T, SYMBOLS, strict=True):
-        curve(ax, flown, column, Look(symbol))
+        curve(ax, flight, column, LineStyle(symbol))
         name_axis(ax, f"${symbol}$", "deg")
     return figure
 
 
-def rates_figure(flown: Flown) -> Figure:
+def rates_figure(flight: Flight) -> Figure:
     """φ̇, γ̇, η̇, θ̇ [deg/s], from the body's own rates and velocity: nothing is differenced."""
-    rates = np.degrees(q_dot(flown))
-    figure, axes = time_sheet(flown, f"Rates of the state: {flown.name}", 4, TALL)
+    rates = np.degrees(q_dot(flight))
+    figure, axes = time_sheet(flight, f"Rates of the state: {flight.name}", 4, TALL)
     for ax, column, symbol in zip(axes, rates.T, SYMBOLS, strict=True):
-        curve(ax, flown, column, Look(symbol))
+        curve(ax, flight, column, LineStyle(symbol))
         name_axis(ax, rf"$\dot{{{symbol}}}$", "deg/s")
     return figure
 
 
-def tensions_figure(flown: Flown) -> Figure:
+def tensions_figure(flight: Flight) -> Figure:
     """Both lines [N] between slack and their ceiling, and closer."""
-    pulls = flown.matrix(TENSIONS, "the tensions").T
-    ceiling = flown.parameters.limits.tension_max
-    figure, axes = time_sheet(flown, f"Line tensions: {flown.name}", 2, 6.0)
+    pulls = flight.matrix(TENSIONS, "the tensions").T
+    ceiling = flight.parameters.limits.tension_max
+    figure, axes = time_sheet(flight, f"Line tensions: {flight.name}", 2, 6.0)
     for ax in axes:
-        for pull, look in zip(pulls, (PLUS, MINUS), strict=True):
-            curve(ax, flown, pull, look)
+        for pull, style in zip(pulls, (PLUS, MINUS), strict=True):
+            curve(ax, flight, pull, style)
         name_axis(ax, "tension", "N")
     legend(axes[0])
     show_limits(axes[0], (0.0, ceiling), ("slack", f"ceiling {ceiling:g} N"))
-    closer(axes[1], flown)
+    closer(axes[1], flight)
     return figure
 
 
-def angles_figure(flown: Flown) -> Figure:
+def angles_figure(flight: Flight) -> Figure:
     """α and β [deg] between their limits, and closer."""
-    alpha, beta = flown.matrix(("alpha_deg", "beta_deg"), "the angles").T
-    limits = flown.parameters.limits
+    alpha, beta = flight.matrix(("alpha_deg", "beta_deg"), "the angles").T
+    limits = flight.parameters.limits
     stall, largest = degrees(limits.alpha_stall), degrees(limits.beta_max)
-    figure, axes = time_sheet(flown, f"Angles of the air: {flown.name}", 4, TALL)
+    figure, axes = time_sheet(flight, f"Angles of the air: {flight.name}", 4, TALL)
     for ax, angle, symbol in zip(axes, (alpha, alpha, beta, beta), "ααββ", strict=True):
-        curve(ax, flown, angle, Look(symbol))
+        curve(ax, flight, angle, LineStyle(symbol))
         name_axis(ax, symbol, "deg")
     show_limits(axes[0], (0.0, stall), ("0", f"α_stall {stall:g}°"))
     show_limits(axes[2], (-largest, largest), ("−β_max", f"β_max {largest:g}°"))
-    closer(axes[1], flown)
-    closer(axes[3], flown)
+    closer(axes[1], flight)
+    closer(axes[3], flight)
     return figure
 
 
-def steering_figure(flown: Flown) -> Figure:
+def steering_figure(flight: Flight) -> Figure:
     """δ [deg] and ℓ [m] that were flown (and asked for, where a stick was), both lengths [m]."""
-    lengths = flown.matrix(LENGTHS, "the steering").T
-    ell, delta = ell_and_delta(flown)
-    figure, axes = time_sheet(flown, f"Steering: {flown.name}", 3, 6.5)
-    wish = _asked(flown)
+    lengths = flight.matrix(LENGTHS, "the steering").T
+    ell, delta = ell_and_delta(flight)
+    figure, axes = time_sheet(flight, f"Steering: {flight.name}", 3, 6.5)
+    wish = _asked(flight)
     for ax, column, asked in zip(axes, (np.degrees(delta), ell), wish, strict=False):
         if asked is not None:
-            curve(ax, flown, asked, ASKED)
-        curve(ax, flown, column, FLOWN)
+            curve(ax, flight, asked, ASKED)
+        curve(ax, flight, column, FLOWN)
     name_axis(axes[0], "δ", "deg")
     name_axis(axes[1], "ℓ", "m")
     if any(asked is not None for asked in wish):
         legend(axes[0])
-    for column, look in zip(lengths, (PLUS, MINUS), strict=True):
-        curve(axes[2], flown, column, look)
+    for column, style in zip(lengths, (PLUS, MINUS), strict=True):
+        curve(axes[2], flight, column, style)
     name_axis(axes[2], "length", "m")
     legend(axes[2])
     for ax in axes:
@@ -110,27 +110,27 @@ def steering_figure(flown: Flown) -> Figure:
     return figure
 
 
-def ell_and_delta(flown: Flown) -> tuple[Array, Array]:
+def ell_and_delta(flight: Flight) -> tuple[Array, Array]:
     """ℓ [m] and δ [rad] at each row, of the lengths of the lines; `steering.ell_delta` for many.
 
     Raises InputError where lengths lack, or no triangle has such sides.
     """
-    plus, minus = flown.matrix(LENGTHS, "the steering").T
-    y_A = flown.parameters.kite.y_A
+    plus, minus = flight.matrix(LENGTHS, "the steering").T
+    y_A = flight.parameters.kite.y_A
     with np.errstate(invalid="ignore", divide="ignore"):
         ell = np.sqrt((plus**2 + minus**2 - 2 * y_A**2) / 2)
         sine = (plus**2 - minus**2) / (4 * ell * y_A)
     if not np.all(np.abs(sine) <= 1.0):
-        raise InputError(f"the lines of {flown.name} do not reach attachments {2 * y_A} m apart")
+        raise InputError(f"the lines of {flight.name} do not reach attachments {2 * y_A} m apart")
     return ell, np.arcsin(sine)
 
 
-def _asked(flown: Flown) -> tuple[Array | None, Array | None]:
+def _asked(flight: Flight) -> tuple[Array | None, Array | None]:
     """δ [deg] and ℓ [m] that the stick asked for; None: no stick, or one that asked for rates."""
-    if not set(STICK) <= set(flown.columns):
+    if not set(STICK) <= set(flight.columns):
         return None, None
-    delta, ell, law = flown.matrix(STICK, "the stick").T
-    kite, lines, stick = flown.parameters.kite, flown.parameters.lines, flown.parameters.stick
+    delta, ell, law = flight.matrix(STICK, "the stick").T
+    kite, lines, stick = flight.parameters.kite, flight.parameters.lines, flight.parameters.stick
     wish = rest_ell(lines.length, kite.y_A) + ell * stick.ell
     angle = np.where(law == 0, degrees(stick.delta) * delta, np.nan)
     return (angle if np.isfinite(angle).any() else None), wish

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from kitemj.plots.flown import Array, Flown
+from kitemj.plots.flight import Array, Flight
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -30,7 +30,7 @@ MOST_OUTSIDE = 1.5
 """How far beyond a limit is shown, parts of what lies between both limits."""
 
 
-class Look(NamedTuple):
+class LineStyle(NamedTuple):
     """How a curve looks: its name in the legend, colour, and matplotlib's kind of line."""
 
     label: str
@@ -39,10 +39,10 @@ class Look(NamedTuple):
     linewidth: float = 1.3
 
 
-PLUS = Look("left, A₊", LEFT)
-MINUS = Look("right, A₋", RIGHT, (0, (5, 2)))
-LEFT_WING = Look("left wing, A₊", LEFT, "-", 3.2)
-RIGHT_WING = Look("right wing, A₋", RIGHT, "-", 1.4)
+PLUS = LineStyle("left, A₊", LEFT)
+MINUS = LineStyle("right, A₋", RIGHT, (0, (5, 2)))
+LEFT_WING = LineStyle("left wing, A₊", LEFT, "-", 3.2)
+RIGHT_WING = LineStyle("right wing, A₋", RIGHT, "-", 1.4)
 
 
 def sheet(title: str, height: float) -> Figure:
@@ -54,18 +54,18 @@ def sheet(title: str, height: float) -> Figure:
     return figure
 
 
-def time_sheet(flown: Flown, title: str, rows: int, height: float) -> tuple[Figure, list[Axes]]:
+def time_sheet(flight: Flight, title: str, rows: int, height: float) -> tuple[Figure, list[Axes]]:
     """Diagrams over the time of `flown`, one above the other; grey where it is beyond limits."""
     figure = sheet(title, height)
     axes: list[Axes] = list(figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0])
-    t = flown.t
+    t = flight.t
     for ax in axes:
         plain(ax)
-        _shade(ax, flown)
+        _shade(ax, flight)
     axes[0].set_xlim(t[0], t[-1] if t[-1] > t[0] else t[0] + 1.0)
     axes[-1].set_xlabel("time [s]", fontsize=LETTERING)
     figure.align_ylabels(axes)
-    name_greys(figure, flown)
+    name_greys(figure, flight)
     return figure, axes
 
 
@@ -81,15 +81,15 @@ def name_axis(ax: Axes, quantity: str, unit: str) -> None:
     ax.set_ylabel(f"{quantity} [{unit}]", fontsize=LETTERING)
 
 
-def curve(ax: Axes, flown: Flown, values: Array, look: Look) -> None:
+def curve(ax: Axes, flight: Flight, values: Array, style: LineStyle) -> None:
     """`values` (rows,) over time. What follows a touch of the ground does not set the scale."""
     from matplotlib.lines import Line2D
 
-    t, down = flown.t, flown.down
-    ax.plot(t[:down], values[:down], **look._asdict())
+    t, down = flight.t, flight.down
+    ax.plot(t[:down], values[:down], **style._asdict())
     if down < len(t):
         rest = slice(max(down - 1, 0), None)
-        ax.add_artist(Line2D(t[rest], values[rest], **look._replace(label="_")._asdict()))
+        ax.add_artist(Line2D(t[rest], values[rest], **style._replace(label="_")._asdict()))
 
 
 def limit_line(ax: Axes, value: float, label: str, below: bool = False) -> None:
@@ -121,13 +121,13 @@ def show_limits(ax: Axes, limits: tuple[float, float], labels: tuple[str, str]) 
     limit_line(ax, high, labels[1])
 
 
-def closer(ax: Axes, flown: Flown) -> None:
+def closer(ax: Axes, flight: Flight) -> None:
     """Scales a diagram to its curves where they are within all limits, and says so."""
-    t, beyond = flown.t, flown.any_beyond
+    t, beyond = flight.t, flight.any_beyond
     shown = [
-        np.asarray(line.get_ydata(), np.float64)[~beyond[: flown.down]]
+        np.asarray(line.get_ydata(), np.float64)[~beyond[: flight.down]]
         for line in ax.get_lines()
-        if len(np.asarray(line.get_xdata())) == len(t[: flown.down])
+        if len(np.asarray(line.get_xdata())) == len(t[: flight.down])
     ]
     values = np.concatenate(shown)
     if len(values) and np.ptp(values) > 0.0:
@@ -149,11 +149,11 @@ def legend(ax: Axes, columns: int = 4) -> None:
     )
 
 
-def name_greys(figure: Figure, flown: Flown) -> None:
+def name_greys(figure: Figure, flight: Flight) -> None:
     """Under the figure: what the greys mean, from when on and why."""
     from matplotlib.patches import Patch
 
-    departure = flown.departure
+    departure = flight.departure
     if departure:
         greys = {
             BEYOND: f"beyond the limits of validity; first at {departure}",
@@ -162,14 +162,14 @@ def name_greys(figure: Figure, flown: Flown) -> None:
         foot(figure, [Patch(fc=grey, ec="0.35", label=text) for grey, text in greys.items()])
 
 
-def parts_of_way(flown: Flown) -> list[tuple[slice, Look]]:
+def parts_of_way(flight: Flight) -> list[tuple[slice, LineStyle]]:
     """The rows of a way within all limits, and those after; how each is drawn."""
-    within, after = flown.parts
-    departure = flown.departure
-    ways = [(within, Look("path of G"))]
+    within, after = flight.parts
+    departure = flight.departure
+    ways = [(within, LineStyle("path of G"))]
     if departure:
         label = f"path after it was first beyond the limits of validity, at {departure}"
-        ways.append((after, Look(label, "0.45", (0, (1.2, 1.2)))))
+        ways.append((after, LineStyle(label, "0.45", (0, (1.2, 1.2)))))
     return ways
 
 
@@ -186,14 +186,14 @@ def runs(flags: np.ndarray[Any, np.dtype[np.bool_]]) -> list[slice]:
     return [slice(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 
 
-def _shade(ax: Axes, flown: Flown) -> None:
-    departure, t = flown.departure, flown.t
+def _shade(ax: Axes, flight: Flight) -> None:
+    departure, t = flight.departure, flight.t
     if departure is None:
         return
     ax.axvspan(departure.t, float(t[-1]), color=AFTER, linewidth=0, zorder=0.3)
     last = len(t) - 1
     spans = [
-        (t[run.start], t[min(run.stop, last)] - t[run.start]) for run in runs(flown.any_beyond)
+        (t[run.start], t[min(run.stop, last)] - t[run.start]) for run in runs(flight.any_beyond)
     ]
     ax.broken_barh(
         spans,

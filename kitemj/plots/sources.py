@@ -8,13 +8,13 @@ from typing import NamedTuple
 import numpy as np
 
 from kitemj.errors import InputError
+from kitemj.flight.limits import Ending
 from kitemj.flight.scenario import Scenario, read_scenario
 from kitemj.flight.simulate import simulate
-from kitemj.flight.validity import Ending
 from kitemj.physics.parameter_files import parameter_set
-from kitemj.plots.flown import Flown, flown_flight, flown_recording
-from kitemj.plots.table_files import TABLES, legs_of, read_columns
-from kitemj.plots.which_kite import DEFAULT, kite_of_table
+from kitemj.plots.flight import Flight, flight_of_recording, flight_of_simulation
+from kitemj.plots.identify_kite import DEFAULT, kite_of_table
+from kitemj.plots.table_files import TABLES, episodes_of, read_columns
 from kitemj.recording.file import read_recording
 from kitemj.recording.recorder import SUFFIX
 
@@ -27,14 +27,14 @@ ROWS = 1000
 class Found(NamedTuple):
     """A flight, and sentences on what was chosen in the person's stead."""
 
-    flown: Flown
+    flight: Flight
     notes: list[str]
 
 
-def read_flown(path: Path, model: str = "", leg: int = 0, kite: str = "") -> Found:
+def read_flight(path: Path, model: str = "", episode: int = 0, kite: str = "") -> Found:
     """The flight in `path`.
 
-    `model` flies a scenario (lagrange unless given); `leg` (from 1; 0: the longest) is one of
+    `model` flies a scenario (lagrange unless given); `episode` (from 1; 0: the longest) is one of
     a recording or its table; `kite`, a set or a scenario's file, that of a table. Raises
     InputError for a file that holds no flight and for a choice that means nothing with it.
     """
@@ -44,7 +44,7 @@ def read_flown(path: Path, model: str = "", leg: int = 0, kite: str = "") -> Fou
     kind = path.suffix.lower()
     if model and kind != SCENARIO:
         raise InputError(f"--model is for a scenario; what {path.name} holds is flown already")
-    if leg and kind == SCENARIO:
+    if episode and kind == SCENARIO:
         raise InputError(
             f"--leg is for a recording; {path.name} is a scenario, which is one flight"
         )
@@ -52,7 +52,7 @@ def read_flown(path: Path, model: str = "", leg: int = 0, kite: str = "") -> Fou
         raise InputError(f"--kite is for a table; {path.name} says itself which kite flew")
     if kind == SCENARIO:
         return _simulated(read_scenario(path), model or "lagrange")
-    return _tabled(path, leg, kite) if kind in TABLES else _recorded(path, leg)
+    return _tabled(path, episode, kite) if kind in TABLES else _recorded(path, episode)
 
 
 def _simulated(scenario: Scenario, model: str) -> Found:
@@ -60,42 +60,44 @@ def _simulated(scenario: Scenario, model: str) -> Found:
     interval, duration = scenario.times.output_interval, scenario.times.duration
     parts = max(1, ceil(ROWS * interval / duration))
     finer = replace(scenario, times=scenario.times._replace(output_interval=interval / parts))
-    flight = simulate(finer, model)
-    if not flight.motions:
-        raise InputError(f"{scenario.source} could not be flown: {flight.note}")
-    early = flight.ending is not Ending.FINISHED
-    notes = [flight.note or f"the flight ended early: {flight.ending.value}"] if early else []
-    return Found(flown_flight(flight), notes)
+    simulation = simulate(finer, model)
+    if not simulation.motions:
+        raise InputError(f"{scenario.source} could not be flown: {simulation.note}")
+    early = simulation.ending is not Ending.FINISHED
+    notes = (
+        [simulation.note or f"the flight ended early: {simulation.ending.value}"] if early else []
+    )
+    return Found(flight_of_simulation(simulation), notes)
 
 
-def _recorded(path: Path, leg: int) -> Found:
+def _recorded(path: Path, episode: int) -> Found:
     recording = read_recording(path)
-    chosen, notes = _leg(path, recording.legs, leg)
-    return Found(flown_recording(recording, chosen), notes)
+    chosen, notes = _episode(path, recording.episodes, episode)
+    return Found(flight_of_recording(recording, chosen), notes)
 
 
-def _tabled(path: Path, leg: int, kite: str) -> Found:
+def _tabled(path: Path, episode: int, kite: str) -> Found:
     columns = read_columns(path)
-    legs = legs_of(columns)
-    chosen, notes = _leg(path, legs, leg)
-    rows = {name: column[legs[chosen]] for name, column in columns.items()}
-    table = Flown(path.name, parameter_set(DEFAULT), rows)
+    episodes = episodes_of(columns)
+    chosen, notes = _episode(path, episodes, episode)
+    rows = {name: column[episodes[chosen]] for name, column in columns.items()}
+    table = Flight(path.name, parameter_set(DEFAULT), rows)
     if np.any(np.diff(table.t) <= 0.0):
         raise InputError(f"{path} holds no flight: its column t_s must rise from row to row")
     name, parameters = kite_of_table(table, kite)
     if not kite:
         notes.append(f"{path.name} does not say which kite flew it; its lines fit the set {name}")
-    number = f", flight {chosen + 1} of {len(legs)}" if len(legs) > 1 else ""
-    return Found(Flown(f"{path.name}, {Path(name).name}{number}", parameters, rows), notes)
+    number = f", flight {chosen + 1} of {len(episodes)}" if len(episodes) > 1 else ""
+    return Found(Flight(f"{path.name}, {Path(name).name}{number}", parameters, rows), notes)
 
 
-def _leg(path: Path, legs: list[slice], asked: int) -> tuple[int, list[str]]:
+def _episode(path: Path, episodes: list[slice], asked: int) -> tuple[int, list[str]]:
     """Which flight (from 0), and what is to be said of the choice."""
-    if not 0 <= asked <= len(legs):
-        raise InputError(f"--leg must be 1 to {len(legs)} for {path.name}, got {asked}")
-    if asked or len(legs) == 1:
+    if not 0 <= asked <= len(episodes):
+        raise InputError(f"--leg must be 1 to {len(episodes)} for {path.name}, got {asked}")
+    if asked or len(episodes) == 1:
         return max(0, asked - 1), []
-    longest = max(range(len(legs)), key=lambda i: legs[i].stop - legs[i].start)
+    longest = max(range(len(episodes)), key=lambda i: episodes[i].stop - episodes[i].start)
     return longest, [
-        f"{path.name} holds {len(legs)} flights; drawn is the longest, --leg {longest + 1}"
+        f"{path.name} holds {len(episodes)} flights; drawn is the longest, --leg {longest + 1}"
     ]

@@ -26,7 +26,7 @@ def read_columns(path: Path) -> Columns:
     return {name: table[name].to_numpy() for name in table.column_names}
 
 
-def legs_of(columns: Columns) -> list[slice]:
+def episodes_of(columns: Columns) -> list[slice]:
     """The rows of each flight: one, unless a column `leg` tells several apart."""
     rows = len(next(iter(columns.values())))
     if "leg" not in columns:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kitemj.plots.flown import Array, Flown
+from kitemj.plots.flight import Array, Flight
 from kitemj.plots.path import POSITION, attitude
 from kitemj.plots.sheet import (
     LEFT_WING,
@@ -32,20 +32,20 @@ WING = 0.06
 """Half the wing that is drawn, parts of what the way takes up."""
 
 
-def window_figure(flown: Flown) -> Figure:
+def window_figure(flight: Flight) -> Figure:
     """Azimuth (from downwind, to the pilot's right) and elevation of G [deg]; below, closer.
 
     Raises InputError where position or state lack.
     """
-    p = flown.matrix(POSITION, "the wind window")
-    seen = bearing(flown, p)
-    figure = sheet(f"Wind window, as the pilot sees it: {flown.name}", 8.5)
+    p = flight.matrix(POSITION, "the wind window")
+    seen = bearing(flight, p)
+    figure = sheet(f"Wind window, as the pilot sees it: {flight.name}", 8.5)
     whole, close = figure.subplots(2, 1, height_ratios=(2, 3))
     for ax in (whole, close):
         plain(ax)
         drawn = [
-            ax.plot(*_unbroken(seen[rows]).T, **look._asdict())[0]
-            for rows, look in parts_of_way(flown)
+            ax.plot(*_unbroken(seen[rows]).T, **style._asdict())[0]
+            for rows, style in parts_of_way(flight)
         ]
         ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=LETTERING)
         name_axis(ax, "elevation", "deg")
@@ -53,8 +53,8 @@ def window_figure(flown: Flown) -> Figure:
     whole.set_xticks(range(-90, 91, 30))
     whole.set_yticks(range(0, 91, 30))
     half = WING * max(1.0, float(np.nanmax(np.ptp(seen, axis=0))))
-    rows = _apart(_round_times(flown.t), seen, half)
-    wings = [wing for row in rows for wing in _mark(close, flown, p, row, half)]
+    rows = _apart(_round_times(flight.t), seen, half)
+    wings = [wing for row in rows for wing in _mark(close, flight, p, row, half)]
     close.set_aspect("equal", adjustable="datalim")
     close.margins(0.1)
     close.set_title(
@@ -64,12 +64,12 @@ def window_figure(flown: Flown) -> Figure:
     return figure
 
 
-def bearing(flown: Flown, p_E: Array) -> Array:
+def bearing(flight: Flight, p_E: Array) -> Array:
     """Azimuth from downwind, positive to the pilot's right, and elevation [deg] from O_E.
 
     `p_E` [m] of shape (rows, 3), the result (rows, 2).
     """
-    wind = flown.parameters.wind.azimuth
+    wind = flight.parameters.wind.azimuth
     x, y, z = p_E.T
     ahead, right = -x * cos(wind) - y * sin(wind), x * sin(wind) - y * cos(wind)
     return np.degrees([np.arctan2(right, ahead), np.arctan2(-z, np.hypot(x, y))]).T
@@ -101,18 +101,18 @@ def _apart(rows: list[int], seen: Array, least: float) -> list[int]:
     return kept
 
 
-def _mark(ax: Axes, flown: Flown, p_E: Array, row: int, half: float) -> list[Line2D]:
+def _mark(ax: Axes, flight: Flight, p_E: Array, row: int, half: float) -> list[Line2D]:
     """The kite, enlarged to wings of `half` [deg] each, and the time; returns the wings."""
-    G, y_B = p_E[row], attitude(flown, row)[1]
+    G, y_B = p_E[row], attitude(flight, row)[1]
     reach = float(np.radians(half) * np.linalg.norm(G))
     wings = []
-    for side, look in ((1.0, LEFT_WING), (-1.0, RIGHT_WING)):
-        wing = bearing(flown, np.array([G, G + side * reach * y_B]))
-        wings += ax.plot(*wing.T, **look._asdict())
-    place = bearing(flown, G[None])[0]
+    for side, style in ((1.0, LEFT_WING), (-1.0, RIGHT_WING)):
+        wing = bearing(flight, np.array([G, G + side * reach * y_B]))
+        wings += ax.plot(*wing.T, **style._asdict())
+    place = bearing(flight, G[None])[0]
     ax.plot(*place, "o", color="black", markersize=3.5)
     ax.annotate(
-        f"{flown.t[row]:.4g} s",
+        f"{flight.t[row]:.4g} s",
         place,
         (5, 5),
         textcoords="offset points",

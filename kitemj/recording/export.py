@@ -5,7 +5,7 @@ from pathlib import Path
 import pyarrow as pa
 from pyarrow import csv
 
-from kitemj.flight.output import new_file
+from kitemj.files import new_file
 from kitemj.recording.file import Recording
 from kitemj.recording.table import ALL
 

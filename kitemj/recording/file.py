@@ -41,40 +41,40 @@ class Recording:
         return len(self.columns["tick"])
 
     @property
-    def legs(self) -> list[slice]:
-        """The rows of each leg."""
+    def episodes(self) -> list[slice]:
+        """The rows of each episode."""
         starts = np.flatnonzero(np.diff(self.columns["leg"], prepend=-1)).tolist()
         return [slice(a, b) for a, b in zip(starts, [*starts[1:], len(self)], strict=True)]
 
-    def way_to(self, leg: slice) -> NDArray[np.intp]:
-        """The rows flown from a start at tick 0 to the end of `leg`, those of its parents first."""
-        tick, legs = self.columns["tick"], self.legs
-        ways, first = [np.arange(leg.start, leg.stop)], int(tick[leg.start])
+    def way_to(self, episode: slice) -> NDArray[np.intp]:
+        """Rows flown from a start at tick 0 to the end of `episode`, those of its parents first."""
+        tick, episodes = self.columns["tick"], self.episodes
+        ways, first = [np.arange(episode.start, episode.stop)], int(tick[episode.start])
         while first > 0:
-            leg = legs[int(self.columns["parent"][leg.start])]
-            rows = np.arange(leg.start, leg.stop)
+            episode = episodes[int(self.columns["parent"][episode.start])]
+            rows = np.arange(episode.start, episode.stop)
             ways.insert(0, rows[tick[rows] < first])
-            first = int(tick[leg.start])
+            first = int(tick[episode.start])
         return np.concatenate(ways)
 
     def before(self, limits: Sequence[str]) -> NDArray[np.bool_]:
         """Rows before the first of their flight that is beyond one of `limits`, shape (rows,)."""
         rows = np.ones(len(self), np.bool_)
-        for leg in self.legs:
-            way = self.way_to(leg)
+        for episode in self.episodes:
+            way = self.way_to(episode)
             beyond = [np.zeros(len(way), np.bool_), *(self.columns[name][way] for name in limits)]
             within = ~np.logical_or.accumulate(np.any(beyond, axis=0))
-            rows[leg] = within[way >= leg.start]
+            rows[episode] = within[way >= episode.start]
         return rows
 
-    def departure(self, leg: slice) -> tuple[int, str] | None:
-        """Row and reason of the first departure of a leg; None: it stayed within all limits."""
-        limits = np.stack([self.columns[name][leg] for name in LIMITS])
+    def departure(self, episode: slice) -> tuple[int, str] | None:
+        """Row and reason of the first departure of an episode; None: it stayed within limits."""
+        limits = np.stack([self.columns[name][episode] for name in LIMITS])
         outside = np.flatnonzero(limits.any(axis=0))
         if not len(outside):
             return None
         names = [name for i, name in enumerate(LIMITS) if limits[i, outside[0]]]
-        return int(leg.start + outside[0]), " and ".join(REASONS[name] for name in names)
+        return int(episode.start + outside[0]), " and ".join(REASONS[name] for name in names)
 
 
 def read_recording(path: Path) -> Recording:

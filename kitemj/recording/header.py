@@ -57,7 +57,7 @@ def header_of(flight: LiveFlight) -> Header:
     return Header(
         scenario=flight.scenario.source,
         model=flight.kite.name,
-        reference=flight.ghost.name,
+        reference=flight.reference.name,
         step=flight.step,
         parameters=parameter_tables(flight.parameters),
         starts=[[list(start.q), list(start.q_dot)] for start in flight.starts],

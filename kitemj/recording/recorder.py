@@ -16,10 +16,10 @@ from pathlib import Path
 import pyarrow as pa
 
 from kitemj.errors import InputError
-from kitemj.flight.output import check_new
+from kitemj.files import check_new
 from kitemj.physics.parameters import Parameters
 from kitemj.recording.header import Header, to_json
-from kitemj.recording.table import ALL, LIMITS, NUMBERS, PLACE, Leg, Tick, table
+from kitemj.recording.table import ALL, LIMITS, NUMBERS, PLACE, Episode, Tick, table
 
 SUFFIX = ".arrows"
 FLUSH = 0.5
@@ -44,7 +44,7 @@ def schema(header: Header) -> pa.Schema:
 class Recorder:
     """Writes ticks to a new file `path`; `add` costs a microsecond and never waits.
 
-    A tick with number 0 begins a leg, and so does one at which the flight was resumed.
+    A tick with number 0 begins an episode, and so does one at which the flight was resumed.
 
     Raises InputError where `path` exists or cannot be written. `problem` is what the person
     should know of the disk at present, `written` counts the ticks in the file.
@@ -58,7 +58,7 @@ class Recorder:
         self._parameters, self._schema = parameters, schema(header)
         self._queue: deque[Tick] = deque()
         self._waiting: deque[tuple[int, bytes]] = deque()
-        self._leg, self._starts = Leg(-1, -1, 0), list[int]()
+        self._episode, self._starts = Episode(-1, -1, 0), list[int]()
         self._size, self._given_up = 0, False
         self._sink = io.BytesIO()
         self._stream = pa.ipc.new_stream(self._sink, self._schema)
@@ -106,18 +106,18 @@ class Recorder:
         ticks = [self._queue.popleft() for _ in range(len(self._queue))]
         if self._given_up or not (ticks or always):
             return
-        legs = []
+        episodes = []
         for tick in ticks:
             if tick.resumed is not None:
                 start = self._starts[tick.resumed]
-                self._leg = Leg(self._leg.leg + 1, tick.resumed, start)
+                self._episode = Episode(self._episode.number + 1, tick.resumed, start)
                 self._starts.append(start)
             elif tick.tick == 0:
-                number = self._leg.leg + 1
-                self._leg = Leg(number, number, tick.start)
+                number = self._episode.number + 1
+                self._episode = Episode(number, number, tick.start)
                 self._starts.append(tick.start)
-            legs.append(self._leg)
-        columns = table(self._parameters, ticks, legs)
+            episodes.append(self._episode)
+        columns = table(self._parameters, ticks, episodes)
         batch = pa.record_batch(list(columns.values()), schema=self._schema)
         self._stream.write_batch(batch, custom_metadata=about or None)
         self._waiting.append((len(ticks), self._taken()))
@@ -165,7 +165,7 @@ def _append(file: int, message: bytes) -> None:
         left = left[os.write(file, left) :]
 
 
-def moment_name(folder: Path = Path()) -> Path:
+def timestamped_name(folder: Path = Path()) -> Path:
     """A name of the present moment that is free in `folder`."""
     stem = f"kitemj-{time.strftime('%Y%m%d-%H%M%S')}"
     names = (f"{stem}{f'-{n}' if n else ''}{SUFFIX}" for n in range(1000))

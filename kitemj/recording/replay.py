@@ -46,7 +46,7 @@ class Replay:
 
     @property
     def valid(self) -> NDArray[np.bool_]:
-        """Rows before the first departure of their leg from any limit, shape (rows,)."""
+        """Rows before the first departure of their episode from any limit, shape (rows,)."""
         return self.recording.before(LIMITS)
 
     @property
@@ -66,17 +66,17 @@ class Replay:
         return (float(gaps[row]), row) if gaps[row] >= 0.0 else None
 
 
-def flown_again(recording: Recording, model: str, step: float | None = None) -> Replay:
-    """Flies every leg; `step` [s] is that of the recording if left out.
+def replay(recording: Recording, model: str, step: float | None = None) -> Replay:
+    """Flies every episode; `step` [s] is that of the recording if left out.
 
     Raises InputError for an unknown model or a step that cannot be.
     """
     step = step or recording.header.step
     columns = np.full((len(MOTION), len(recording)), np.nan)
     notes = []
-    for leg in recording.legs:
+    for episode in recording.episodes:
         try:
-            for row, numbers in _flown(recording, leg, model, step):
+            for row, numbers in _flown(recording, episode, model, step):
                 columns[:, row] = numbers
         except FlightError as error:
             notes.append(str(error))
@@ -85,14 +85,14 @@ def flown_again(recording: Recording, model: str, step: float | None = None) -> 
 
 
 def _flown(
-    recording: Recording, leg: slice, model: str, step: float
+    recording: Recording, episode: slice, model: str, step: float
 ) -> Iterator[tuple[int, list[float]]]:
-    """Each row of a leg with its motion, by the very calls that `LiveFlight` makes.
+    """Each row of an episode with its motion, by the very calls that `LiveFlight` makes.
 
-    A leg that goes on from another is flown from that one's start.
+    An episode that goes on from another is flown from that one's start.
     """
     kite = make_model(model, recording.parameters, step)
-    tick, way = recording.header.tick, recording.way_to(leg)
+    tick, way = recording.header.tick, recording.way_to(episode)
     steering = zip(*(recording.columns[name][way].tolist() for name in STEERING), strict=True)
     numbers = recording.columns["tick"][way].tolist()
     for row, k, control in zip(way.tolist(), numbers, steering, strict=True):
@@ -105,5 +105,5 @@ def _flown(
             kite.advance(segment, tick)
             kite.t = k * tick
         motion = motion_row(kite.motion(segment))
-        if row >= leg.start:
+        if row >= episode.start:
             yield row, motion

@@ -30,8 +30,8 @@ def summary(recording: Recording) -> str:
     if changed:
         lines.append(("", f"other than here ({changed}): a replay may differ in its last digits"))
     lines.append(("held", f"{rows} ticks of {1e3 * header.tick:g} ms, {_count(recording)}"))
-    for number, leg in enumerate(recording.legs, start=1):
-        lines += [(f"flight {number}", text) for text in _leg(recording, leg)]
+    for number, episode in enumerate(recording.episodes, start=1):
+        lines += [(f"flight {number}", text) for text in _episode(recording, episode)]
     lines.append(("real time", _timekeeping(recording)))
     lines.append(("ended", recording.ending or BROKEN_OFF))
     return "\n".join(f"{name:<12} {text}" for name, text in lines)
@@ -60,13 +60,13 @@ def changed_versions(versions: dict[str, str]) -> str:
 
 
 def _count(recording: Recording) -> str:
-    flights = len(recording.legs)
+    flights = len(recording.episodes)
     return "one flight" if flights == 1 else f"{flights} flights, a restart between each"
 
 
-def _leg(recording: Recording, leg: slice) -> list[str]:
+def _episode(recording: Recording, episode: slice) -> list[str]:
     """How long, how far from the reference, how close to each limit, where it left them."""
-    columns = {name: values[leg] for name, values in recording.columns.items()}
+    columns = {name: values[episode] for name, values in recording.columns.items()}
     limits = recording.parameters.limits
     alpha, beta = columns["alpha_deg"], columns["beta_deg"]
     pulls = np.stack([columns["tension_plus_N"], columns["tension_minus_N"]]) + 0.0
@@ -75,7 +75,7 @@ def _leg(recording: Recording, leg: slice) -> list[str]:
     if followed.any():
         gap, until = np.nanmax(columns["gap_m"]), columns["t_s"][followed][-1]
         reference = f"at most {1e6 * gap:.3g} µm from the reference (followed to {until:.2f} s)"
-    departure = recording.departure(leg)
+    departure = recording.departure(episode)
     left = "within all limits of validity throughout"
     if departure:
         row, reason = departure

@@ -1,8 +1,8 @@
 """The table of a recording: a row for each tick, in columns that explain themselves.
 
-The first columns are those of every table of motions (`kitemj.flight.output.COLUMNS`). A row
+The first columns are those of every table of motions (`kitemj.flight.motion_table.COLUMNS`). A row
 holds the instant at the end of its tick; the steering is that of the tick which ended there:
-ℓ and δ at its start, and ℓ̈ and δ̈ that were constant in it. Row 0 of a leg is its start.
+ℓ and δ at its start, and ℓ̈ and δ̈ that were constant in it. Row 0 of an episode is its start.
 """
 
 from collections.abc import Mapping, Sequence
@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.live import Command, Moment
-from kitemj.flight.output import COLUMNS, row
-from kitemj.flight.validity import Ending
+from kitemj.flight.limits import Ending
+from kitemj.flight.live import Command, TickResult
+from kitemj.flight.motion_table import COLUMNS, row
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
 
@@ -27,11 +27,13 @@ RATES = ("omega_x_B_rad_s", "omega_y_B_rad_s", "omega_z_B_rad_s")
 MOTION = (*COLUMNS, *ATTITUDE, *VELOCITY, *RATES, "airspeed_m_s")
 """Of any model's motion; R_BE takes components in E to components in B, row by row."""
 
+EPISODE = ("leg", "parent", "start")
 PLACE = ("leg", "tick", "parent", "start")
-"""Which flight of the recording (each restart begins one), which tick in it; whole numbers.
+"""Which episode of the recording (each restart begins one), which tick in it; whole numbers.
 
-`start` is the state of the header's at which the flight began. A leg that does not begin at
-tick 0 goes on from that tick of the leg `parent`, an earlier one: somebody went back in time.
+`start` is the state of the header's at which the flight began. An episode that does not begin
+at tick 0 goes on from that tick of the episode `parent`, an earlier one: somebody went back in
+time.
 Its first row is that tick once more.
 """
 
@@ -60,23 +62,23 @@ NOWHERE = (nan,) * len(REFERENCE)
 class Tick(NamedTuple):
     """What one tick leaves behind; `control` is that of its segment, `lateness` in s.
 
-    `resumed`: the leg that the flight went back to, for the row at which it goes on. `start`:
+    `resumed`: the episode that the flight went back to, for the row at which it goes on. `start`:
     which of the flight's starts it began at, for the row of tick 0.
     """
 
     tick: int
     control: Control
     command: Command
-    moment: Moment
+    result: TickResult
     lateness: float
     resumed: int | None = None
     start: int = 0
 
 
-class Leg(NamedTuple):
-    """What the columns of `PLACE` but for the tick say of a leg."""
+class Episode(NamedTuple):
+    """What the columns of `EPISODE` say of one."""
 
-    leg: int
+    number: int
     parent: int
     start: int
 
@@ -87,16 +89,16 @@ def motion_row(motion: Motion) -> list[float]:
     return [*row(motion), *R.x, *R.y, *R.z, *v, *omega, motion.air.speed]
 
 
-def table(parameters: Parameters, ticks: Sequence[Tick], legs: Sequence[Leg]) -> Columns:
-    """The columns of `ALL` of some ticks; `legs` has the leg of each."""
+def table(parameters: Parameters, ticks: Sequence[Tick], episodes: Sequence[Episode]) -> Columns:
+    """The columns of `ALL` of some ticks; `episodes` has the episode of each."""
     rows = [_numbers(tick) for tick in ticks]
     numbers = np.array(rows, np.float64).reshape(len(rows), len(NUMBERS)).T.copy()
     columns: dict[str, NDArray[Any]] = dict(zip(NUMBERS, numbers, strict=True))
-    places = np.array(legs, np.int32).reshape(len(rows), len(Leg._fields)).T.copy()
-    columns |= dict(zip(Leg._fields, places, strict=True))
+    places = np.array(episodes, np.int32).reshape(len(rows), len(EPISODE)).T.copy()
+    columns |= dict(zip(EPISODE, places, strict=True))
     columns["tick"] = np.array([tick.tick for tick in ticks], np.int32)
     columns |= beyond(parameters, columns)
-    columns["ground"] = np.array([_grounded(tick.moment) for tick in ticks], np.bool_)
+    columns["ground"] = np.array([_grounded(tick.result) for tick in ticks], np.bool_)
     return {name: columns[name] for name in ALL}
 
 
@@ -114,15 +116,15 @@ def beyond(parameters: Parameters, columns: Columns) -> dict[str, NDArray[np.boo
 
 
 def _numbers(tick: Tick) -> list[float]:
-    moment, reference = tick.moment, tick.moment.reference
+    result, reference = tick.result, tick.result.reference
     where: Sequence[float] = NOWHERE
     if reference is not None:
         p, R = reference.body[:2]
         where = (*p, *R.x, *R.y, *R.z)
-    gap = nan if moment.gap is None else moment.gap
+    gap = nan if result.gap is None else result.gap
     steering = (*tick.command, *tick.control)
-    return [*motion_row(moment.motion), *steering, *where, gap, tick.lateness]
+    return [*motion_row(result.motion), *steering, *where, gap, tick.lateness]
 
 
-def _grounded(moment: Moment) -> bool:
-    return moment.departure is not None and moment.departure.ending is Ending.GROUND
+def _grounded(result: TickResult) -> bool:
+    return result.departure is not None and result.departure.ending is Ending.GROUND

@@ -17,14 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.errors import InputError
-from kitemj.flight.validity import Departure, departure_at
+from kitemj.flight.limits import Departure, departure_at
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, rest_ell
 from kitemj.stability.linearise import state_matrix, state_units
 from kitemj.stability.minimal import Array, Minimal, held, minimal, steps_for
 from kitemj.stability.orbit import SAMPLES, Orbit, orbit
 from kitemj.stability.shooting import MOST_ROUNDS, STANDS, Closed, closed, monodromy, primitive
-from kitemj.stability.trim import standing
+from kitemj.stability.trim import trimmed
 
 NUDGE = 0.2
 """rad; how far beside the equilibrium, in its growing mode, the settling flight begins."""
@@ -81,7 +81,7 @@ def cycle(
     where it is stable, and where no cycle was found.
     """
     ell = rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
-    x_eq, control = standing(parameters, ell, delta, source), held(ell, delta)
+    x_eq, control = trimmed(parameters, ell, delta, source), held(ell, delta)
     lagrange = minimal("lagrange", parameters)
     values, vectors = np.linalg.eig(state_matrix(lagrange, x_eq, control))
     worst = int(np.argmax(values.real))

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange import accelerations, body
 from kitemj.dynamics.lagrange_kite import flown
-from kitemj.dynamics.motion import Body, Pair, State, angles_of
+from kitemj.dynamics.motion import Body, PerLine, State, angles_of
 from kitemj.errors import InputError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles, world
@@ -42,7 +42,7 @@ class Answer(NamedTuple):
     """ẋ (8,) in rad/s and rad/s², the tensions [N], the pose."""
 
     x_dot: Array
-    tensions: Pair
+    tensions: PerLine
     body: Body
 
 
@@ -74,7 +74,7 @@ def steps_for(duration: float) -> int:
 
 
 @compiled
-def lagrange_answer(parameters: Parameters, c: Control, x: Array) -> tuple[Array, Pair, Body]:
+def lagrange_answer(parameters: Parameters, c: Control, x: Array) -> tuple[Array, PerLine, Body]:
     """`Minimal.answer` of Lagrange's equations."""
     q, v = Angles(x[0], x[1], x[2], x[3]), Angles(x[4], x[5], x[6], x[7])
     a, tensions = accelerations(parameters, c, 0.0, q, v)
@@ -106,7 +106,7 @@ class FreeBody(Minimal):
         """The body at `x`, by the model's own kinematics."""
 
     @abstractmethod
-    def accelerated(self, x: Array, control: Control) -> tuple[Array, Pair]:
+    def accelerated(self, x: Array, control: Control) -> tuple[Array, PerLine]:
         """V̇ (6,) and the tensions at `x`."""
 
     def _V(self, q: Array, q_dot: Array, control: Control) -> Array:
@@ -158,7 +158,7 @@ class NewtonEuler(FreeBody):
 
         return body_of(placed(self.parameters, Segment(0.0, control), state_of(x)))
 
-    def accelerated(self, x: Array, control: Control) -> tuple[Array, Pair]:
+    def accelerated(self, x: Array, control: Control) -> tuple[Array, PerLine]:
         """See `FreeBody`."""
         from kitemj.dynamics.newton_euler import accelerations
 
@@ -194,7 +194,7 @@ class Mujoco(FreeBody):
         q, q_dot = state_of(x)
         return straight_body(self.parameters, q, q_dot, control)
 
-    def accelerated(self, x: Array, control: Control) -> tuple[Array, Pair]:
+    def accelerated(self, x: Array, control: Control) -> tuple[Array, PerLine]:
         """See `FreeBody`."""
         from kitemj.dynamics.engine import body_of
         from kitemj.dynamics.mujoco_kite import put

@@ -20,7 +20,7 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell
 from kitemj.stability.linearise import Linear, linearise, state_matrix
 from kitemj.stability.minimal import held, minimal, state_of
-from kitemj.stability.trim import standing
+from kitemj.stability.trim import trimmed
 from kitemj.stability.vary import check_range, unit_of, with_value
 
 Array = NDArray[np.float64]
@@ -93,7 +93,7 @@ def stability(
 
     `ell` [m] (None: ℓ₀), `delta` [rad]. Raises InputError where there is no equilibrium.
     """
-    x0 = standing(parameters, ell, delta, source)
+    x0 = trimmed(parameters, ell, delta, source)
     control = held(_ell(parameters, ell), delta)
     linear = linearise(minimal(model, parameters), x0, control)
     V_ref = getattr(parameters.aero, "V_ref", None)
@@ -122,7 +122,7 @@ def growth(
     model: str = "lagrange",
 ) -> complex:
     """The least stable eigenvalue [1/s], imag >= 0; raises InputError without equilibrium."""
-    x0 = standing(parameters, ell, delta)
+    x0 = trimmed(parameters, ell, delta)
     control = held(_ell(parameters, ell), delta)
     values = np.linalg.eigvals(state_matrix(minimal(model, parameters), x0, control))
     worst = complex(values[np.argmax(values.real)])
@@ -169,7 +169,7 @@ def crossings(
     for i in changes:
         value = float(brentq(real, grid[i], grid[i + 1], xtol=1e-13, rtol=1e-12))
         there = with_value(parameters, name, value)
-        x0, control = standing(there, ell, delta), held(_ell(there, ell), delta)
+        x0, control = trimmed(there, ell, delta), held(_ell(there, ell), delta)
         least = modes(there, linearise(minimal(model, there), x0, control))[0]
         unit, above = unit_of(parameters, name), bool(reals[i + 1] < 0)
         omega, what = least.imag, least.name.rsplit(" ", 1)[0]

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.dynamics.motion import Motion, Pair, air_of
+from kitemj.dynamics.motion import Motion, PerLine, air_of
 from kitemj.physics.frames import Angles
 from kitemj.physics.steering import Control, line_motion
 from kitemj.stability.minimal import Array, Minimal, steps_for
@@ -68,7 +68,7 @@ def motion(kite: Minimal, x: Array, t: float, control: Control) -> Motion:
     """The motion of `kite` at `x` (8,)."""
     _, tensions, body = kite.answer(x, control)
     y_A = kite.parameters.kite.y_A
-    lengths = Pair(*(line_motion(y_A, control, side).length for side in (1.0, -1.0)))
+    lengths = PerLine(*(line_motion(y_A, control, side).length for side in (1.0, -1.0)))
     air = air_of(kite.parameters, body, 0.0)
     return Motion(t, Angles(*map(float, x[:4])), body, control, lengths, tensions, air)
 

@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange_kite import motion_at
-from kitemj.dynamics.motion import Pair, State, air_of
+from kitemj.dynamics.motion import PerLine, State, air_of
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import check_steady, no_equilibrium, symmetric_equilibria
-from kitemj.flight.validity import Ending, departure_at, touches_ground
+from kitemj.flight.limits import Ending, departure_at, touches_ground
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Programme, Segment, Sines, control, rest_ell
@@ -57,7 +57,7 @@ class Trim(NamedTuple):
     elevation: float
     azimuth: float
     height: float
-    tensions: Pair
+    tensions: PerLine
     residual: float
     ell: float
     delta: float
@@ -138,7 +138,7 @@ def lines_held(parameters: Parameters, programme: Programme) -> tuple[float | No
     return (None if ell == rest else float(ell)), float(delta)
 
 
-def standing(
+def trimmed(
     parameters: Parameters, ell: float | None = None, delta: float = 0.0, source: str = "parameters"
 ) -> NDArray[np.float64]:
     """x (8,) = (q, 0) of the equilibrium of least α; what stability is asked about.

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from kitemj.dynamics.survey import (
+from kitemj.dynamics.batch import (
     ALPHA,
     BETA,
     CLEARANCE,
@@ -17,9 +17,9 @@ from kitemj.dynamics.survey import (
     X,
     Z,
 )
+from kitemj.flight.limits import TOUCH, Ending
 from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.flight.simulate import make_model
-from kitemj.flight.validity import TOUCH, Ending
 from kitemj.physics.parameters import Parameters
 from kitemj.studies.design import Point
 from kitemj.studies.study import Base, Settings
@@ -73,11 +73,11 @@ def fly(base: Base, flight: int, point: Point) -> Row:
             _warm_up(tables, model, source)
         started = thread_time()
         scenario = scenario_of(tables, source)
-        rows = _surveyed(scenario, settings.model, settings)
+        rows = _batch_rows(scenario, settings.model, settings)
         row["cost_s"] = thread_time() - started
         row |= _summary(scenario, rows)
         if settings.reference:
-            row |= _gap(scenario, rows, _surveyed(scenario, settings.reference, settings))
+            row |= _gap(scenario, rows, _batch_rows(scenario, settings.reference, settings))
     except Exception as error:
         said = str(error) if isinstance(error, ValueError | RuntimeError) else repr(error)
         row |= {"ending": FAILED, "reason": said}
@@ -98,11 +98,11 @@ def _plain(value: Any) -> Any:
     return json.dumps(value) if isinstance(value, (dict, list)) else value
 
 
-def _surveyed(scenario: Scenario, model: str, settings: Settings) -> Array:
+def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:
     kite = make_model(model, scenario.parameters, settings.step)
     kite.start(scenario.start, scenario.programme)
     times = np.array(scenario.output_times)
-    return kite.survey(scenario.programme, times, TOUCH, settings.tolerance)
+    return kite.batch(scenario.programme, times, TOUCH, settings.tolerance)
 
 
 def _warm_up(tables: dict[str, Any], model: str, source: str) -> None:
@@ -113,7 +113,7 @@ def _warm_up(tables: dict[str, Any], model: str, source: str) -> None:
         scenario = scenario_of(tables, source)
         kite = make_model(model, scenario.parameters)
         kite.start(scenario.start, scenario.programme)
-        kite.survey(scenario.programme, np.array([0.0, 1e-3]), TOUCH, 1e-3)
+        kite.batch(scenario.programme, np.array([0.0, 1e-3]), TOUCH, 1e-3)
         _warm.add(kind)
 
 

@@ -13,7 +13,7 @@ from types import TracebackType
 from typing import IO, Any
 
 from kitemj.errors import InputError
-from kitemj.flight.output import new_file
+from kitemj.files import new_file
 from kitemj.studies.flights import FAILED, RESULTS, Row
 from kitemj.studies.study import Study
 

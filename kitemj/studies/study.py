@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 from kitemj.errors import InputError
-from kitemj.flight.scenario import Offsets, Table, Times
+from kitemj.flight.scenario import Offsets, SteeringTable, Times
 from kitemj.flight.simulate import DEFAULT_STEP, MAX_STEP, MODELS
 from kitemj.physics.aerodynamics import LinearAero, TableAero
 from kitemj.physics.checked import checked, unknown_key
@@ -120,7 +120,7 @@ def _check_name(name: str, source: str) -> None:
     kinds: dict[str, Any] = SECTIONS
     sections: dict[str, tuple[str, ...]] = {
         "aero": ("law", *LinearAero._fields, *TableAero._fields),
-        "steering": ("programme", *Sines._fields, *Table._fields),
+        "steering": ("programme", *Sines._fields, *SteeringTable._fields),
         "start": ("at", *Offsets._fields),
         **{key: kind._fields for key, kind in kinds.items()},
     }

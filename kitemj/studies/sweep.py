@@ -6,8 +6,8 @@ from time import perf_counter
 
 from kitemj.errors import InputError
 from kitemj.flight.scenario import scenario_of
-from kitemj.studies.crew import Crew
 from kitemj.studies.design import Point
+from kitemj.studies.executors import StudyExecutor
 from kitemj.studies.flights import Row, failed, fly
 from kitemj.studies.journal import Journal
 from kitemj.studies.study import Study
@@ -54,7 +54,10 @@ def tried(journal: Journal, count: int = 3) -> float:
 
 
 def sweep(
-    journal: Journal, crew: Crew, cost: float, tell: Callable[[int], None] = lambda done: None
+    journal: Journal,
+    executor: StudyExecutor,
+    cost: float,
+    tell: Callable[[int], None] = lambda done: None,
 ) -> None:
     """Flies all that remains; `cost` [s] is what a flight is believed to take.
 
@@ -62,24 +65,26 @@ def sweep(
     is landed and kept. Raises StudyStopped where workers cannot work at all.
     """
     left = len(journal.done) - journal.count
-    size = max(1, min(MOST, int(BATCH_TIME / max(cost, 1e-6)), left // (16 * crew.workers)))
+    size = max(1, min(MOST, int(BATCH_TIME / max(cost, 1e-6)), left // (16 * executor.workers)))
     aloft: dict[Future[list[Row]], Batch] = {}
     suspects: Batch = []
     try:
         for batch in _batches(journal, size):
-            while len(aloft) >= 2 * crew.workers:
-                suspects += _landed(journal, crew, aloft)
+            while len(aloft) >= 2 * executor.workers:
+                suspects += _landed(journal, executor, aloft)
                 tell(journal.count)
             try:
-                aloft[crew.submit(journal.study.base, batch)] = batch
-            except crew.deaths:  # a worker died since; those aloft are suspects, this one is not
-                suspects += _landed(journal, crew, aloft)
-                aloft[crew.submit(journal.study.base, batch)] = batch
+                aloft[executor.submit(journal.study.base, batch)] = batch
+            except (
+                executor.deaths
+            ):  # a worker died since; those aloft are suspects, this one is not
+                suspects += _landed(journal, executor, aloft)
+                aloft[executor.submit(journal.study.base, batch)] = batch
         while aloft:
-            suspects += _landed(journal, crew, aloft)
+            suspects += _landed(journal, executor, aloft)
             tell(journal.count)
         for flight, point in suspects:
-            _alone(journal, crew, flight, point)
+            _alone(journal, executor, flight, point)
             tell(journal.count)
     except KeyboardInterrupt:
         flying = [future for future in aloft if not future.cancel()]
@@ -95,19 +100,21 @@ def _batches(journal: Journal, size: int) -> Iterator[Batch]:
         yield [(i, journal.study.design.point(i)) for i in flights[start : start + size]]
 
 
-def _landed(journal: Journal, crew: Crew, aloft: dict[Future[list[Row]], Batch]) -> Batch:
+def _landed(
+    journal: Journal, executor: StudyExecutor, aloft: dict[Future[list[Row]], Batch]
+) -> Batch:
     """Takes in what has landed; flights that were aloft when a worker died are returned."""
     landed = wait(aloft, return_when=FIRST_COMPLETED).done
-    lost = any(isinstance(_error(future), crew.deaths) for future in landed)
+    lost = any(isinstance(_error(future), executor.deaths) for future in landed)
     suspects: Batch = []
     for future in wait(aloft).done if lost else landed:
         batch = aloft.pop(future)
-        if isinstance(_error(future), crew.deaths):
+        if isinstance(_error(future), executor.deaths):
             suspects += batch
         else:
             journal.add(_rows(future))
     if lost:
-        crew.renew()
+        executor.renew()
     return suspects
 
 
@@ -126,12 +133,12 @@ def _rows(future: Future[list[Row]]) -> list[Row]:
         ) from None
 
 
-def _alone(journal: Journal, crew: Crew, flight: int, point: Point) -> None:
+def _alone(journal: Journal, executor: StudyExecutor, flight: int, point: Point) -> None:
     """One flight at a time, to find out which of them ends the process that flies it."""
-    future = crew.submit(journal.study.base, [(flight, point)])
+    future = executor.submit(journal.study.base, [(flight, point)])
     wait([future])
-    if isinstance(_error(future), crew.deaths):
+    if isinstance(_error(future), executor.deaths):
         journal.add([failed(flight, point, "the process that flew it died, twice")])
-        crew.renew()
+        executor.renew()
     else:
         journal.add(_rows(future))

@@ -131,8 +131,8 @@ FAULTS = [
         "length rate with the wrong sign in the correction",
         "newton-euler",
         "newton_euler",
-        "Pair(a.rate - want_a.rate, b.rate - want_b.rate)",
-        "Pair(a.rate + want_a.rate, b.rate + want_b.rate)",
+        "PerLine(a.rate - want_a.rate, b.rate - want_b.rate)",
+        "PerLine(a.rate + want_a.rate, b.rate + want_b.rate)",
         "trajectory",
     ),
     Fault(

@@ -14,14 +14,14 @@ import llvmlite.binding as llvm
 import numpy as np
 
 import kitemj.dynamics
-from kitemj.dynamics.motion import Body, Pair
+from kitemj.dynamics.motion import Body, PerLine
 from kitemj.flight.agreement import spatial_accelerations
 from kitemj.physics.frames import world
 from kitemj.physics.vectors import Vector
 from tests.support import Case
 
 MODULES = {  # in the order of import
-    "lagrange": ("linear", "lagrange", "lagrange_kite"),
+    "lagrange": ("solve4", "lagrange", "lagrange_kite"),
     "newton-euler": ("newton_euler", "newton_euler_kite"),
     "mujoco": ("straight", "engine", "taut", "slack", "mujoco_kite"),
 }
@@ -40,7 +40,7 @@ class Instant(NamedTuple):
     body: Body
     a_G_E: np.ndarray
     omega_dot_B: np.ndarray
-    tensions: Pair
+    tensions: PerLine
 
 
 class Formulation:

@@ -5,18 +5,19 @@ import pygame
 import pytest
 
 from kitemj.cockpit.fly import fly
-from kitemj.cockpit.history import History
-from kitemj.cockpit.pacing import Pacer
-from kitemj.cockpit.picture import Picture, Readings
-from kitemj.cockpit.programmed import ProgrammedStick, Row, show
 from kitemj.cockpit.screens import FilmScreen, Window, display_found
-from kitemj.cockpit.settings import Settings
-from kitemj.cockpit.stick import PersonStick
+from kitemj.controls.programmed import ProgrammedStick, Row, show
+from kitemj.controls.settings import Settings
+from kitemj.controls.stick import PersonStick
+from kitemj.drawing.history import History
+from kitemj.drawing.picture import Picture
+from kitemj.drawing.readings import Readings
 from kitemj.dynamics.motion import attachment_E
 from kitemj.flight.live import LiveFlight
 from kitemj.flight.scenario import scenario_of
+from kitemj.realtime.pacer import Pacer
 from kitemj.recording.file import read_recording
-from tests.cockpit.virtual_pad import VirtualPad
+from tests.controls.virtual_pad import VirtualPad
 from tests.recording.flights import recorder_of
 
 SIZE = (640, 360)
@@ -80,13 +81,13 @@ def test_right_stick_pulls_the_line_that_the_pilot_sees_on_the_right(window, pic
 def test_unplugged_pad_centres_and_comes_back(window, picture):
     pad, flight = VirtualPad(), LiveFlight(SCENARIO)
     pads, wishes = [pad], []
-    original = flight._moment
+    original = flight._result
 
     def watched(wish):
         wishes.append(wish)
         return original(wish)
 
-    flight._moment = watched
+    flight._result = watched
     doings = [
         (0.1, lambda: pad.left_stick(1.0)),
         (0.6, pad.unplug),
@@ -169,11 +170,11 @@ def test_a_kite_on_the_ground_waits_until_somebody_starts_again(window):
         def show(self, frame, wall):
             self.window.show(frame, wall)
             if physics.touch and len(seen) < 10:
-                seen.append((physics.touch, physics.moment.motion.t))
+                seen.append((physics.touch, physics.result.motion.t))
                 if len(seen) == 10:
                     press(pygame.K_r)
             elif seen and not physics.touch:
-                seen.append((None, physics.moment.motion.t))
+                seen.append((None, physics.result.motion.t))
                 press(pygame.K_ESCAPE)
 
     with Picture(scenario.parameters, *SIZE) as picture:

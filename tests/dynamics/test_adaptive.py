@@ -8,10 +8,10 @@ from scipy.integrate import DOP853, solve_ivp
 
 from kitemj.dynamics import adaptive, lagrange_kite, newton_euler_kite
 from kitemj.dynamics.adaptive import carried, room_for
+from kitemj.dynamics.batch import ALPHA, CLEARANCE, TENSION_MINUS, TENSION_PLUS, X, Z
 from kitemj.dynamics.lagrange_kite import LagrangeKite, LagrangeSystem
 from kitemj.dynamics.mujoco_kite import MujocoKite
 from kitemj.dynamics.newton_euler_kite import NewtonEulerKite, NewtonEulerSystem
-from kitemj.dynamics.survey import ALPHA, CLEARANCE, TENSION_MINUS, TENSION_PLUS, X, Z
 from kitemj.physics.steering import Sines
 from tests.support import LAKSA, LAKSA_STEERING, SPORT, aloft, rest
 
@@ -106,7 +106,7 @@ def test_a_survey_says_what_the_motions_say(kind):
     times = np.linspace(0.0, 2.0, 21)
     kite = kind(LAKSA, 0.01)
     kite.start(aloft(LAKSA), LAKSA_STEERING)
-    rows = kite.survey(LAKSA_STEERING, times, 0.0, kite_tolerance(kind))
+    rows = kite.batch(LAKSA_STEERING, times, 0.0, kite_tolerance(kind))
     kite.start(aloft(LAKSA), LAKSA_STEERING)
     motions = kite.trajectory(LAKSA_STEERING, times.tolist())
     for row, motion in zip(rows, motions, strict=True):
@@ -125,8 +125,8 @@ def test_a_survey_ends_where_the_kite_is_too_low():
     kite = LagrangeKite(LAKSA)
     kite.start(aloft(LAKSA, phi=0.3), LAKSA_STEERING)
     times = np.linspace(0.0, 5.0, 51)
-    heights = kite.survey(LAKSA_STEERING, times, -np.inf, 1e-8)[:, CLEARANCE]
+    heights = kite.batch(LAKSA_STEERING, times, -np.inf, 1e-8)[:, CLEARANCE]
     touch = float(heights[20])
     first = int(np.flatnonzero(heights < touch + 1e-9)[0])
-    rows = kite.survey(LAKSA_STEERING, times, touch + 1e-9, 1e-8)
+    rows = kite.batch(LAKSA_STEERING, times, touch + 1e-9, 1e-8)
     assert len(rows) == first + 1

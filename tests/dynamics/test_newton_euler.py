@@ -13,7 +13,7 @@ from kitemj.dynamics.adaptive import carried, room_for
 from kitemj.dynamics.motion import (
     Body,
     Motion,
-    Pair,
+    PerLine,
     State,
     attachment_E,
     attachment_velocity_E,
@@ -99,7 +99,7 @@ def random_flights(n: int) -> list[tuple[State, Segment]]:
     ]
 
 
-def line_errors(parameters: Parameters, programme: Sines, t: float, body: Body) -> Pair:
+def line_errors(parameters: Parameters, programme: Sines, t: float, body: Body) -> PerLine:
     """Largest error of the two distances [m] and of their rates [m/s]."""
     far, fast = 0.0, 0.0
     for side in (1.0, -1.0):
@@ -108,7 +108,7 @@ def line_errors(parameters: Parameters, programme: Sines, t: float, body: Body) 
         rate = dot(A, attachment_velocity_E(parameters, body, side)) / norm(A)
         far = max(far, abs(norm(A) - wanted.length))
         fast = max(fast, abs(rate - wanted.rate))
-    return Pair(far, fast)
+    return PerLine(far, fast)
 
 
 def flight(parameters: Parameters, state: State, programme: Sines, step: float) -> NewtonEulerKite:

@@ -26,8 +26,8 @@ def flat(value):
         yield float(value)
 
 
-def numbers(moment):
-    return np.array(list(flat(moment.motion)))
+def numbers(result):
+    return np.array(list(flat(result.motion)))
 
 
 def flown(flight, stick, ticks):
@@ -41,7 +41,7 @@ def test_resumed_flight_has_the_same_bits(model, tables):
     flown(flight, restless(1), 150)
     saved = flight.save()
     first = flown(flight, restless(2), 200)
-    assert flight.resume(saved) is saved.moment
+    assert flight.resume(saved) is saved.result
     again = flown(flight, restless(2), 200)
     for one, other in zip(first, again, strict=True):
         assert np.array_equal(numbers(one).view(np.int64), numbers(other).view(np.int64))
@@ -51,21 +51,21 @@ def test_resumed_flight_has_the_same_bits(model, tables):
 def test_resumed_flight_has_the_same_bits_with_slack_lines_and_on_the_ground():
     flight = LiveFlight(scenario_of(VIOLENT, "test"))
     stick = restless(5, hold=25)
-    moments, saved = [], []
+    results, saved = [], []
     for _ in range(700):
         saved.append(flight.save())
-        moments.append(flight.tick(next(stick)))
-    slack = [min(moment.motion.tensions) == 0.0 for moment in moments]
-    ground = [str(moment.departure and moment.departure.ending) for moment in moments]
+        results.append(flight.tick(next(stick)))
+    slack = [min(result.motion.tensions) == 0.0 for result in results]
+    ground = [str(result.departure and result.departure.ending) for result in results]
     assert any(slack)
     assert "Ending.GROUND" in ground
     for k in (slack.index(True) + 2, ground.index("Ending.GROUND") + 5):
         flight.resume(saved[k])
         stick = restless(5, hold=25)
         commands = [next(stick) for _ in range(700)]
-        for moment, command in zip(moments[k : k + 60], commands[k : k + 60], strict=False):
+        for result, command in zip(results[k : k + 60], commands[k : k + 60], strict=False):
             again = numbers(flight.tick(command))
-            assert np.array_equal(again.view(np.int64), numbers(moment).view(np.int64))
+            assert np.array_equal(again.view(np.int64), numbers(result).view(np.int64))
 
 
 def test_another_stick_after_going_back_is_another_flight():

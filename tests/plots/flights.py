@@ -5,7 +5,7 @@ import numpy as np
 from kitemj.flight.scenario import scenario_of
 from kitemj.flight.simulate import simulate
 from kitemj.physics.parameter_files import parameter_set
-from kitemj.plots.flown import Flown
+from kitemj.plots.flight import Flight
 
 TABLES = {
     "set": "sport",
@@ -24,7 +24,7 @@ start = { at = "equilibrium", phi_deg = 5.0, eta_dot = -0.15 }
 QUIET = {"tension_plus_N": 60.0, "tension_minus_N": 60.0, "alpha_deg": 5.0, "beta_deg": 0.0}
 
 
-def flight():
+def simulation():
     return simulate(scenario_of(TABLES, "test"), "lagrange")
 
 
@@ -32,4 +32,6 @@ def by_hand(rows=5, **columns):
     """A flight of the set `laksa`, one row a second; T_max 600 N, α_stall 25°, β_max 15°."""
     constant = {name: np.full(rows, value) for name, value in QUIET.items()}
     given = {name: np.array(values) for name, values in columns.items()}
-    return Flown("test", parameter_set("laksa"), {"t_s": np.arange(float(rows))} | constant | given)
+    return Flight(
+        "test", parameter_set("laksa"), {"t_s": np.arange(float(rows))} | constant | given
+    )

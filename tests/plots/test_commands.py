@@ -10,10 +10,10 @@ from matplotlib import pyplot
 
 from kitemj.cli import main
 from kitemj.commands.plot import FIGURES as NAMES
-from kitemj.flight.output import write_csv
+from kitemj.flight.motion_table import write_csv
 from kitemj.plots.figures import FIGURES
 from kitemj.plots.windows import show
-from tests.plots.flights import TOML, flight
+from tests.plots.flights import TOML, simulation
 
 
 @pytest.fixture
@@ -46,7 +46,7 @@ def test_a_pdf_has_a_page_for_each(scenario, tmp_path):
 
 
 def test_all_leaves_out_what_the_table_lacks(scenario, tmp_path, capsys):
-    write_csv(tmp_path / "flight.csv", flight().motions)
+    write_csv(tmp_path / "flight.csv", simulation().motions)
     assert main(["plot", "flight.csv", "--save", "a.pdf"]) == 0
     assert "without rates: flight.csv, sport lacks the column R_BE_xx" in capsys.readouterr().out
     assert main(["plot", "flight.csv", "--what", "rates", "--save", "b.pdf"]) == 2
@@ -115,7 +115,7 @@ def test_limits_prints_and_writes_its_table(scenario, tmp_path, capsys):
     assert "never" in told
     with (tmp_path / "x.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    tensions = [motion.tensions.plus for motion in flight().motions]
+    tensions = [motion.tensions.plus for motion in simulation().motions]
     assert float(rows[0]["largest"]) >= max(tensions) / 700.0
     assert float(rows[0]["smallest"]) <= min(tensions) / 700.0
     assert main([*words[:2], "--output", "x.json"]) == 0

@@ -9,11 +9,11 @@ from matplotlib.text import Text
 
 from kitemj.dynamics.lagrange_kite import motion_at
 from kitemj.plots.figures import FIGURES
-from kitemj.plots.flown import flown_flight, flown_motions
+from kitemj.plots.flight import flight_of_motions, flight_of_simulation
 from kitemj.plots.limits import limits_figure
 from kitemj.plots.rates import q_dot
 from kitemj.plots.window import bearing
-from tests.plots.flights import TABLES, by_hand, flight
+from tests.plots.flights import TABLES, by_hand, simulation
 from tests.support import random_cases
 
 RATES = 1e-12
@@ -28,13 +28,13 @@ SMALLEST = 8.0  # pt
 
 
 @pytest.fixture(scope="module")
-def flown():
-    return flown_flight(flight())
+def flight():
+    return flight_of_simulation(simulation())
 
 
 @pytest.fixture(scope="module")
 def motions():
-    return flight().motions
+    return simulation().motions
 
 
 def curves(figure, ax):
@@ -46,28 +46,28 @@ def curves(figure, ax):
 def test_rates_are_those_of_the_state():
     for case in random_cases(30):
         motion = motion_at(case.parameters, case.segment, 0.0, case.state)
-        found = q_dot(flown_motions("test", case.parameters, [motion]))
+        found = q_dot(flight_of_motions("test", case.parameters, [motion]))
         assert np.allclose(found[0], case.state.q_dot, rtol=0, atol=RATES)
 
 
-def test_state_and_rates(flown, motions):
-    for name, expected in (("state", [m.q for m in motions]), ("rates", q_dot(flown))):
-        figure = FIGURES[name](flown)
+def test_state_and_rates(flight, motions):
+    for name, expected in (("state", [m.q for m in motions]), ("rates", q_dot(flight))):
+        figure = FIGURES[name](flight)
         for ax, column in enumerate(np.degrees(expected).T):
             (drawn,) = curves(figure, ax)
             assert np.array_equal(drawn, column)
 
 
-def test_the_state_does_not_jump_by_whole_turns(flown):
-    turned = (flown.columns["phi_rad"] + 40.0 * flown.t + np.pi) % (2 * np.pi) - np.pi
-    figure = FIGURES["state"](flown._replace(columns={**flown.columns, "phi_rad": turned}))
+def test_the_state_does_not_jump_by_whole_turns(flight):
+    turned = (flight.columns["phi_rad"] + 40.0 * flight.t + np.pi) % (2 * np.pi) - np.pi
+    figure = FIGURES["state"](flight._replace(columns={**flight.columns, "phi_rad": turned}))
     (drawn,) = curves(figure, 0)
     assert np.ptp(turned) < 2 * np.pi
     assert np.ptp(np.radians(drawn)) > 79.0
 
 
-def test_tensions_left_and_right(flown, motions):
-    figure = FIGURES["tensions"](flown)
+def test_tensions_left_and_right(flight, motions):
+    figure = FIGURES["tensions"](flight)
     for ax in (0, 1):
         left, right = figure.axes[ax].get_lines()[:2]
         assert np.array_equal(left.get_ydata(), [m.tensions.plus for m in motions])
@@ -76,25 +76,25 @@ def test_tensions_left_and_right(flown, motions):
     assert [line.get_ydata()[0] for line in figure.axes[0].get_lines()[2:]] == [0.0, 700.0]
 
 
-def test_angles(flown, motions):
-    figure = FIGURES["angles"](flown)
+def test_angles(flight, motions):
+    figure = FIGURES["angles"](flight)
     alpha, beta, _ = np.degrees([m.air for m in motions]).T
     for ax, expected in enumerate((alpha, alpha, beta, beta)):
         assert np.array_equal(curves(figure, ax)[0], expected)
 
 
-def test_steering_is_that_of_the_programme(flown):
-    figure = FIGURES["steering"](flown)
+def test_steering_is_that_of_the_programme(flight):
+    figure = FIGURES["steering"](flight)
     (delta,), (ell,) = curves(figure, 0), curves(figure, 1)
     amplitude, omega = (TABLES["steering"][f"delta_{name}"] for name in ("amplitude", "frequency"))
-    expected = [amplitude * sin(omega * t) for t in flown.t]
+    expected = [amplitude * sin(omega * t) for t in flight.t]
     assert np.allclose(np.radians(delta), expected, rtol=0, atol=STEERING)
     assert np.allclose(ell, ell[0], rtol=0, atol=STEERING)
-    assert np.array_equal(curves(figure, 2)[0], flown.columns["length_plus_m"])
+    assert np.array_equal(curves(figure, 2)[0], flight.columns["length_plus_m"])
 
 
-def test_path_is_upright_and_not_mirrored(flown, motions):
-    (ax,) = FIGURES["path"](flown).axes
+def test_path_is_upright_and_not_mirrored(flight, motions):
+    (ax,) = FIGURES["path"](flight).axes
     path = np.array(ax.get_lines()[0].get_data_3d()).T
     expected = [(p.x, -p.y, -p.z) for p in (m.body.p_G_E for m in motions)]
     assert np.array_equal(path, expected)
@@ -104,34 +104,34 @@ def test_path_is_upright_and_not_mirrored(flown, motions):
     assert np.allclose(scale, scale[0], rtol=ONE_SCALE)
 
 
-def test_lines_end_at_the_attachments(flown, motions):
-    (ax,) = FIGURES["path"](flown).axes
+def test_lines_end_at_the_attachments(flight, motions):
+    (ax,) = FIGURES["path"](flight).axes
     ends = [np.array(line.get_data_3d()).T for line in ax.get_lines()]
     first = [e[1] for e in ends if len(e) == 2 and not e[0].any()][:2]
     assert np.allclose(np.linalg.norm(first, axis=1), motions[0].lengths, rtol=0, atol=STEERING)
 
 
 def test_window_is_seen_by_the_pilot():
-    flown = by_hand()
-    ahead, left, above = bearing(flown, np.array([[-1, 0, -1], [-1, 1, 0], [-1e-9, 0, -5]]))
+    flight = by_hand()
+    ahead, left, above = bearing(flight, np.array([[-1, 0, -1], [-1, 1, 0], [-1e-9, 0, -5]]))
     assert ahead == pytest.approx((0.0, 45.0))
     assert left == pytest.approx((-45.0, 0.0))
     assert above[1] == pytest.approx(90.0)
-    wind = flown.parameters.wind._replace(azimuth=0.5)
-    turned = flown._replace(parameters=flown.parameters._replace(wind=wind))
+    wind = flight.parameters.wind._replace(azimuth=0.5)
+    turned = flight._replace(parameters=flight.parameters._replace(wind=wind))
     downwind = np.array([[-np.cos(0.5), -np.sin(0.5), 0.0]])
     assert bearing(turned, downwind)[0] == pytest.approx((0.0, 0.0))
 
 
-def test_window_draws_the_bearings(flown):
-    p = np.column_stack([flown.columns[f"{axis}_E_m"] for axis in "xyz"])
-    for ax in FIGURES["window"](flown).axes:
-        assert np.array_equal(np.transpose(ax.get_lines()[0].get_data()), bearing(flown, p))
+def test_window_draws_the_bearings(flight):
+    p = np.column_stack([flight.columns[f"{axis}_E_m"] for axis in "xyz"])
+    for ax in FIGURES["window"](flight).axes:
+        assert np.array_equal(np.transpose(ax.get_lines()[0].get_data()), bearing(flight, p))
 
 
 @pytest.mark.parametrize("name", DRAWN)
-def test_units_and_lettering(name, flown):
-    figure = DRAWN[name](flown)
+def test_units_and_lettering(name, flight):
+    figure = DRAWN[name](flight)
     figure.draw_without_rendering()
     for ax in figure.axes:
         labels = [axis.label.get_text() for axis in ax._axis_map.values()]
@@ -144,19 +144,19 @@ def test_units_and_lettering(name, flown):
 
 
 @pytest.mark.parametrize("name", DRAWN)
-def test_what_is_beyond_the_limits_says_so(name, flown):
-    beta = flown.columns["beta_deg"].copy()
+def test_what_is_beyond_the_limits_says_so(name, flight):
+    beta = flight.columns["beta_deg"].copy()
     beta[20:23] = 40.0
-    flown = flown._replace(columns={**flown.columns, "beta_deg": beta})
-    (legend,) = DRAWN[name](flown).legends
+    flight = flight._replace(columns={**flight.columns, "beta_deg": beta})
+    (legend,) = DRAWN[name](flight).legends
     told = " ".join(text.get_text() for text in legend.get_texts())
-    assert f"at {flown.t[20]:.2f} s: the sideslip angle exceeded β_max" in told.replace("\n", " ")
+    assert f"at {flight.t[20]:.2f} s: the sideslip angle exceeded β_max" in told.replace("\n", " ")
 
 
-def test_the_ground_does_not_set_the_scale(flown):
-    wild, ground = flown.columns["theta_rad"].copy(), np.arange(len(flown.t)) > 30
+def test_the_ground_does_not_set_the_scale(flight):
+    wild, ground = flight.columns["theta_rad"].copy(), np.arange(len(flight.t)) > 30
     wild[31:] += 50.0
     figure = FIGURES["state"](
-        flown._replace(columns={**flown.columns, "theta_rad": wild, "ground": ground})
+        flight._replace(columns={**flight.columns, "theta_rad": wild, "ground": ground})
     )
     assert max(figure.axes[3].get_ylim()) < 360.0

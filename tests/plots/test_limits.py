@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kitemj.errors import InputError
-from kitemj.plots.flown import Departure
+from kitemj.plots.flight import Departure
 from kitemj.plots.limits import extremes, limit_ratios, limits_figure
 from tests.plots.flights import by_hand
 
@@ -15,26 +15,26 @@ ROUNDING = 1e-12
 
 
 def test_ratios_are_parts_of_each_limit():
-    flown = by_hand(
+    flight = by_hand(
         2,
         tension_plus_N=[300.0, -6.0],
         tension_minus_N=[60.0, 900.0],
         alpha_deg=[12.5, -5.0],
         beta_deg=[-7.5, 30.0],
     )
-    ratios = limit_ratios(flown.parameters, flown.columns)
+    ratios = limit_ratios(flight.parameters, flight.columns)
     assert list(ratios) == ["T₊/T_max", "T₋/T_max", "α/α_stall", "|β|/β_max"]
     expected = [[0.5, -0.01], [0.1, 1.5], [0.5, -0.2], [0.5, 2.0]]
     assert np.allclose(list(ratios.values()), expected, rtol=0, atol=ROUNDING)
 
 
 def test_extremes_say_when_and_why():
-    flown = by_hand(
+    flight = by_hand(
         tension_plus_N=[60.0, 0.0, -6.0, 60.0, 90.0],
         tension_minus_N=[60.0, 660.0, 600.0, 720.0, 60.0],
         beta_deg=[0.0, -3.0, -15.0, 6.0, 0.0],
     )
-    plus, minus, alpha, beta = extremes(flown)
+    plus, minus, alpha, beta = extremes(flight)
     assert plus[1:6] == pytest.approx((-0.01, 2.0, 0.15, 4.0, 1.0))
     assert plus.reason == "the left line went slack"
     assert minus[1:6] == pytest.approx((0.1, 0.0, 1.2, 3.0, 1.0))
@@ -52,19 +52,19 @@ def test_a_line_may_carry_its_ceiling_but_not_be_slack():
 
 
 def test_extremes_and_departure_tell_the_same_first_moment():
-    flown = by_hand(alpha_deg=[5.0, 5.0, 26.0, 5.0, 5.0], beta_deg=[0.0, 0.0, 0.0, 16.0, 0.0])
-    assert flown.departure == Departure(2.0, "the angle of attack left 0 < α < α_stall")
-    assert np.nanmin([each.outside_from_s for each in extremes(flown)]) == 2.0
-    assert flown.parts == (slice(0, 3), slice(2, None))
+    flight = by_hand(alpha_deg=[5.0, 5.0, 26.0, 5.0, 5.0], beta_deg=[0.0, 0.0, 0.0, 16.0, 0.0])
+    assert flight.departure == Departure(2.0, "the angle of attack left 0 < α < α_stall")
+    assert np.nanmin([each.outside_from_s for each in extremes(flight)]) == 2.0
+    assert flight.parts == (slice(0, 3), slice(2, None))
     assert by_hand().departure is None
     assert by_hand().parts == (slice(0, 6), slice(5, None))
 
 
 def test_figure_draws_the_ratios_and_shades_what_is_outside():
-    flown = by_hand(beta_deg=[0.0, 15.0, 18.0, 0.0, 0.0])
-    (ax,) = limits_figure(flown).axes
+    flight = by_hand(beta_deg=[0.0, 15.0, 18.0, 0.0, 0.0])
+    (ax,) = limits_figure(flight).axes
     drawn = [line.get_ydata() for line in ax.get_lines()]
-    ratios = limit_ratios(flown.parameters, flown.columns)
+    ratios = limit_ratios(flight.parameters, flight.columns)
     for ratio in ratios.values():
         assert any(np.array_equal(ratio, each) for each in drawn)
     (grey,) = (each for each in ax.collections if len(each.get_paths()))
@@ -74,9 +74,9 @@ def test_figure_draws_the_ratios_and_shades_what_is_outside():
 
 
 def test_missing_column_is_named():
-    flown = by_hand()
-    columns = {name: column for name, column in flown.columns.items() if name != "beta_deg"}
+    flight = by_hand()
+    columns = {name: column for name, column in flight.columns.items() if name != "beta_deg"}
     with pytest.raises(InputError, match="lacks the column beta_deg, needed for the limits; the"):
-        extremes(flown._replace(columns=columns))
+        extremes(flight._replace(columns=columns))
     with pytest.raises(InputError, match="no number in the column beta_deg, row 3"):
         extremes(by_hand(beta_deg=[0.0, 0.0, np.nan, 0.0, 0.0]))

@@ -6,12 +6,12 @@ import pytest
 from pyarrow import parquet
 
 from kitemj.errors import InputError
-from kitemj.flight.output import write_csv
+from kitemj.flight.motion_table import write_csv
 from kitemj.physics.parameter_files import parameter_set
-from kitemj.plots.sources import ROWS, read_flown
+from kitemj.plots.sources import ROWS, read_flight
 from kitemj.recording.export import write_table
 from kitemj.recording.file import read_recording
-from tests.plots.flights import TOML, flight
+from tests.plots.flights import TOML, simulation
 from tests.recording.flights import live_flight, recorded
 
 SPORT = {"set": "sport", "duration": 60.0}
@@ -26,67 +26,67 @@ def scenario(tmp_path):
 
 @pytest.fixture
 def recording(tmp_path):
-    return recorded(tmp_path / "x.arrows", 40, live_flight(SPORT), legs=1)
+    return recorded(tmp_path / "x.arrows", 40, live_flight(SPORT), episodes=1)
 
 
 def test_a_scenario_is_flown_finer_than_its_rows(scenario):
-    flown, notes = read_flown(scenario)
-    own = [motion.t for motion in flight().motions]
-    assert len(flown.t) > ROWS
-    assert np.allclose([flown.t[np.argmin(np.abs(flown.t - t))] for t in own], own, atol=1e-12)
+    flight, notes = read_flight(scenario)
+    own = [motion.t for motion in simulation().motions]
+    assert len(flight.t) > ROWS
+    assert np.allclose([flight.t[np.argmin(np.abs(flight.t - t))] for t in own], own, atol=1e-12)
     assert notes == []
-    assert flown.name == "eight.toml, lagrange"
-    assert read_flown(scenario, "newton-euler").flown.name.endswith("newton-euler")
+    assert flight.name == "eight.toml, lagrange"
+    assert read_flight(scenario, "newton-euler").flight.name.endswith("newton-euler")
 
 
 def test_a_recording_and_its_table_are_the_same_flight(recording, tmp_path):
-    flown, notes = read_flown(recording)
+    flight, notes = read_flight(recording)
     kept = read_recording(recording)
     table = tmp_path / "x.csv"
     write_table(table, kept)
-    again, said = read_flown(table)
+    again, said = read_flight(table)
     for name in ("t_s", "theta_rad", "omega_x_B_rad_s", "tension_minus_N", "ground"):
-        assert np.array_equal(flown.columns[name], kept.columns[name])
+        assert np.array_equal(flight.columns[name], kept.columns[name])
         assert np.array_equal(again.columns[name], kept.columns[name])
-    assert flown.parameters == kept.parameters == parameter_set("sport")
+    assert flight.parameters == kept.parameters == parameter_set("sport")
     assert notes == []
     assert said == ["x.csv does not say which kite flew it; its lines fit the set sport"]
-    assert again.parameters.limits == flown.parameters.limits
+    assert again.parameters.limits == flight.parameters.limits
 
 
 def test_the_longest_flight_unless_one_is_asked_for(tmp_path):
-    path = recorded(tmp_path / "legs.arrows", 10, legs=2)
-    flown, notes = read_flown(path)
-    assert len(flown.t) == 11
+    path = recorded(tmp_path / "legs.arrows", 10, episodes=2)
+    flight, notes = read_flight(path)
+    assert len(flight.t) == 11
     assert notes == ["legs.arrows holds 2 flights; drawn is the longest, --leg 1"]
-    assert read_flown(path, leg=2).flown.name.endswith("flight 2 of 2")
+    assert read_flight(path, episode=2).flight.name.endswith("flight 2 of 2")
     table = tmp_path / "legs.csv"
     write_table(table, read_recording(path))
-    second = read_flown(table, leg=2).flown
+    second = read_flight(table, episode=2).flight
     assert np.array_equal(second.columns["leg"], np.full(11, 1))
     for file in (path, table):
         with pytest.raises(InputError, match=r"--leg must be 1 to 2 for legs\..*, got 3"):
-            read_flown(file, leg=3)
+            read_flight(file, episode=3)
 
 
 def test_a_table_of_simulate_finds_its_kite(tmp_path):
     path = tmp_path / "flight.csv"
-    write_csv(path, flight().motions)
-    assert read_flown(path).flown.parameters == parameter_set("sport")
+    write_csv(path, simulation().motions)
+    assert read_flight(path).flight.parameters == parameter_set("sport")
     with pytest.raises(InputError, match=r"was not flown by laksa: its lines end .* m from where"):
-        read_flown(path, kite="laksa")
+        read_flight(path, kite="laksa")
 
 
 def test_a_kite_of_no_set_must_be_named(tmp_path):
     text = TOML + "kite = { y_A = 0.45 }\n"
     scenario = tmp_path / "wide.toml"
     scenario.write_text(text)
-    columns = dict(read_flown(scenario).flown.columns)
+    columns = dict(read_flight(scenario).flight.columns)
     path = tmp_path / "wide.parquet"
     parquet.write_table(pa.table(columns), path)
     with pytest.raises(InputError, match=r"was not flown by laksa or .*; say --kite with another"):
-        read_flown(path)
-    assert read_flown(path, kite=str(scenario)).flown.parameters.kite.y_A == 0.45
+        read_flight(path)
+    assert read_flight(path, kite=str(scenario)).flight.parameters.kite.y_A == 0.45
 
 
 BAD = {
@@ -114,18 +114,18 @@ def test_files_that_hold_no_flight(name, tmp_path):
     if content is not None:
         path.write_bytes(content)
     with pytest.raises(InputError, match=says) as told:
-        read_flown(path)
+        read_flight(path)
     assert "\n" not in str(told.value)
 
 
 def test_words_that_mean_nothing_with_a_file(scenario, recording, tmp_path):
     with pytest.raises(InputError, match="is a folder; give a recording"):
-        read_flown(tmp_path)
+        read_flight(tmp_path)
     with pytest.raises(InputError, match="--model is for a scenario"):
-        read_flown(recording, model="lagrange")
+        read_flight(recording, model="lagrange")
     with pytest.raises(InputError, match="--leg is for a recording"):
-        read_flown(scenario, leg=1)
+        read_flight(scenario, episode=1)
     with pytest.raises(InputError, match="--kite is for a table"):
-        read_flown(recording, kite="sport")
+        read_flight(recording, kite="sport")
     with pytest.raises(InputError, match="there is no model 'x'"):
-        read_flown(scenario, model="x")
+        read_flight(scenario, model="x")

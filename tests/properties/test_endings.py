@@ -4,9 +4,9 @@ import re
 
 import pytest
 
+from kitemj.flight.limits import Ending
 from kitemj.flight.scenario import scenario_of
-from kitemj.flight.simulate import Flight, simulate
-from kitemj.flight.validity import Ending
+from kitemj.flight.simulate import Simulation, simulate
 
 STEP = 0.02
 """s; endings do not ask for accuracy."""
@@ -22,11 +22,11 @@ SMALL = {
 }
 
 
-def flown(changes: dict, model: str = "mujoco") -> Flight:
+def flown(changes: dict, model: str = "mujoco") -> Simulation:
     return simulate(scenario_of({**CALM, **changes}, "test.toml"), model, STEP)
 
 
-def assert_departs(flight: Flight, ending: Ending, reading: str) -> None:
+def assert_departs(flight: Simulation, ending: Ending, reading: str) -> None:
     assert flight.departure.ending is ending
     assert re.fullmatch(
         rf"t = \d+\.\d\d s: {re.escape(ending.value)} \({reading}\)", str(flight.departure)

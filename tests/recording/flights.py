@@ -4,10 +4,10 @@ import sys
 from pathlib import Path
 from random import Random
 
-from kitemj.cockpit.history import History
-from kitemj.cockpit.pacing import Pacer
+from kitemj.drawing.history import History
 from kitemj.flight.live import Command, LiveFlight
 from kitemj.flight.scenario import scenario_of
+from kitemj.realtime.pacer import Pacer
 from kitemj.recording.header import header_of
 from kitemj.recording.recorder import Recorder
 from kitemj.recording.table import Tick
@@ -33,8 +33,8 @@ def recorder_of(flight, path, **options):
     return Recorder(path, header_of(flight), flight.parameters, **options)
 
 
-def tick_of(flight, command, moment, lateness=0.0):
-    return Tick(flight.ticks, flight.segment.control, command, moment, lateness)
+def tick_of(flight, command, result, lateness=0.0):
+    return Tick(flight.ticks, flight.segment.control, command, result, lateness)
 
 
 def restless(seed, ell=0.1, hold=70):
@@ -45,11 +45,11 @@ def restless(seed, ell=0.1, hold=70):
         yield from [command] * hold
 
 
-def recorded(path, ticks, flight=None, stick=None, legs=1):
+def recorded(path, ticks, flight=None, stick=None, episodes=1):
     """A recording of `legs` flights of `ticks` each, not in real time; returns its path."""
     flight, stick = flight or live_flight(), stick or restless(4)
     recorder = recorder_of(flight, path)
-    for _ in range(legs):
+    for _ in range(episodes):
         recorder.add(tick_of(flight, Command(), flight.restart()))
         for _ in range(ticks):
             command = next(stick)

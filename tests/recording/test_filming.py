@@ -8,15 +8,15 @@ import pygame
 import pytest
 
 from kitemj.cli import main
-from kitemj.cockpit.film_sources import Recorded
-from kitemj.cockpit.filming import Look, film
-from kitemj.cockpit.painters import Stage, painted
-from kitemj.cockpit.picture import Picture
+from kitemj.cockpit.film_sources import RecordingSource
+from kitemj.cockpit.filming import FilmStyle, film
+from kitemj.cockpit.parallel_painting import Stage, painted
 from kitemj.cockpit.replay_player import SPEEDS, Player
 from kitemj.cockpit.replay_window import ReplayWindow
 from kitemj.cockpit.screens import display_found
+from kitemj.drawing.picture import Picture
 from kitemj.recording.file import read_recording
-from kitemj.recording.replay import flown_again
+from kitemj.recording.replay import replay
 from tests.recording.flights import LOOPS, live_flight, recorded, restless
 
 SMALL = (320, 180)
@@ -29,7 +29,7 @@ ANSWER = 0.25
 def file(tmp_path_factory):
     """3 s of a kite that loops, and 3 s more after a restart."""
     path = tmp_path_factory.mktemp("recordings") / "kite.arrows"
-    return recorded(path, 300, live_flight(LOOPS), restless(2, ell=0.1, hold=90), legs=2)
+    return recorded(path, 300, live_flight(LOOPS), restless(2, ell=0.1, hold=90), episodes=2)
 
 
 def frames_of(path):
@@ -58,7 +58,7 @@ def test_a_still_is_the_frame_of_that_moment(file, tmp_path):
     assert main([*words, "--output", str(tmp_path / "a.png")]) == 0
     image = pygame.image.load(str(tmp_path / "a.png"))
     assert image.get_size() == SMALL
-    source = Recorded(read_recording(file))
+    source = RecordingSource(read_recording(file))
     with Picture(source.parameters, *SMALL) as picture:
         frame = picture.paint(*source.shot(2.2, 1.0), "chase")
     np.testing.assert_array_equal(pygame.surfarray.array3d(image).swapaxes(0, 1), frame)
@@ -94,7 +94,7 @@ def test_two_models_of_one_scenario(tmp_path):
 
 
 def test_frames_of_two_processes_are_those_of_one(file):
-    source = Recorded(read_recording(file))
+    source = RecordingSource(read_recording(file))
     stage = Stage((source.parameters,), ("",), SMALL, "pilot", True)
     shots = [[source.shot(0.3 * i, 1.0)] for i in range(12)]
     alone = [frame.copy() for frame in painted(stage, shots, 1)]
@@ -103,16 +103,16 @@ def test_frames_of_two_processes_are_those_of_one(file):
 
 
 def test_ctrl_c_leaves_a_complete_film(file, tmp_path, monkeypatch):
-    source, seen = Recorded(read_recording(file)), []
+    source, seen = RecordingSource(read_recording(file)), []
 
     def shot(t, speed):
         seen.append(t)
         if len(seen) > 5:
             raise KeyboardInterrupt
-        return Recorded.shot(source, t, speed)
+        return RecordingSource.shot(source, t, speed)
 
     monkeypatch.setattr(source, "shot", shot)
-    film([source], tmp_path / "a.mp4", Look(SMALL), end=2.0)
+    film([source], tmp_path / "a.mp4", FilmStyle(SMALL), end=2.0)
     assert len(frames_of(tmp_path / "a.mp4")) == 5
 
 
@@ -169,7 +169,7 @@ def window(file, monkeypatch):
     assert display_found()
     recording = read_recording(file)
     with Picture(recording.parameters, 640, 360) as picture:
-        yield ReplayWindow(recording, flown_again(recording, "lagrange"), picture, "chase")
+        yield ReplayWindow(recording, replay(recording, "lagrange"), picture, "chase")
     pygame.display.quit()
 
 
@@ -212,13 +212,13 @@ def test_no_display_is_said(file, monkeypatch, capsys):
 
 def test_the_ghost_of_another_model_is_there_until_a_line_is_slack(file):
     recording = read_recording(file)
-    again = flown_again(recording, "lagrange")
-    source = Recorded(recording, again)
+    again = replay(recording, "lagrange")
+    source = RecordingSource(recording, again)
     slack = np.flatnonzero(recording.columns["slack"])
     assert slack[0] > 10
     shot = source.shot(0.1, 1.0)
-    assert shot.ghost is not None
+    assert shot.reference is not None
     assert shot.readings.gap == pytest.approx(again.gaps[10])
     late = source.shot((slack[0] + 1) * 0.01, 1.0)
-    assert late.ghost is None
+    assert late.reference is None
     assert late.readings.gap is None

@@ -10,16 +10,16 @@ import numpy as np
 import pyarrow as pa
 import pytest
 
-from kitemj.cockpit.history import History
-from kitemj.cockpit.pacing import Pacer
+from kitemj.drawing.history import History
 from kitemj.errors import InputError
+from kitemj.flight.limits import Ending, departure_at
 from kitemj.flight.live import TICK, Command
-from kitemj.flight.output import COLUMNS, row
-from kitemj.flight.validity import Ending, departure_at
+from kitemj.flight.motion_table import COLUMNS, row
+from kitemj.realtime.pacer import Pacer
 from kitemj.recording import recorder as recording_module
 from kitemj.recording.file import read_recording
 from kitemj.recording.header import from_json, header_of, to_json
-from kitemj.recording.recorder import moment_name
+from kitemj.recording.recorder import timestamped_name
 from kitemj.recording.summary import parameters_in_words, summary
 from kitemj.recording.table import ALL, LIMITS, STEERING, STICK, beyond
 from tests.recording.flights import LOOPS, live_flight, recorded, recorder_of, restless, tick_of
@@ -33,7 +33,7 @@ def file(tmp_path_factory):
     """Two flights of 3 s, one after the other, in many batches."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(recording_module, "FLUSH", 0.01)
-        return recorded(tmp_path_factory.mktemp("recordings") / "kite.arrows", 300, legs=2)
+        return recorded(tmp_path_factory.mktemp("recordings") / "kite.arrows", 300, episodes=2)
 
 
 def test_every_number_comes_back_to_the_last_bit(tmp_path):
@@ -41,20 +41,20 @@ def test_every_number_comes_back_to_the_last_bit(tmp_path):
     recorder, seen = recorder_of(flight, tmp_path / "kite.arrows"), []
     for k in range(130):
         command = next(stick) if k else Command()
-        moment = flight.tick(command) if k else flight.restart()
-        recorder.add(tick_of(flight, command, moment, 0.001 * k))
-        seen.append((moment, flight.segment, command))
+        result = flight.tick(command) if k else flight.restart()
+        recorder.add(tick_of(flight, command, result, 0.001 * k))
+        seen.append((result, flight.segment, command))
     assert "130 ticks" in recorder.close("over")
     recording = read_recording(tmp_path / "kite.arrows")
     table = recording.columns
     assert recording.ending == "over"
-    for i, (moment, segment, command) in enumerate(seen):
+    for i, (result, segment, command) in enumerate(seen):
         assert [table[name][i] for name in STEERING] == list(segment.control)
-        assert [table[name][i] for name in COLUMNS] == row(moment.motion)
+        assert [table[name][i] for name in COLUMNS] == row(result.motion)
         assert [table[name][i] for name in STICK] == list(command)
-        assert table["gap_m"][i] == moment.gap
+        assert table["gap_m"][i] == result.gap
         assert table["lateness_s"][i] == 0.001 * i
-        assert table["ref_x_E_m"][i] == moment.reference.body.p_G_E.x
+        assert table["ref_x_E_m"][i] == result.reference.body.p_G_E.x
 
 
 def test_header_survives_to_the_last_bit():
@@ -103,15 +103,15 @@ def test_first_departure_has_its_moment_and_reason(tmp_path):
     recorder.add(tick_of(flight, Command(), flight.restart()))
     while slack is None and flight.ticks < 800:
         command = next(stick)
-        moment = flight.tick(command)
-        recorder.add(tick_of(flight, command, moment))
-        if moment.departure and moment.departure.ending is Ending.SLACK:
+        result = flight.tick(command)
+        recorder.add(tick_of(flight, command, result))
+        if result.departure and result.departure.ending is Ending.SLACK:
             slack = flight.ticks
     recorder.close("over")
     assert slack is not None
     recording = read_recording(tmp_path / "kite.arrows")
     departed = np.flatnonzero(np.any([recording.columns[name] for name in LIMITS], axis=0))
-    assert recording.departure(recording.legs[0])[0] == departed[0] <= slack
+    assert recording.departure(recording.episodes[0])[0] == departed[0] <= slack
     assert recording.columns["slack"][slack]
     assert "left the limits of validity at" in summary(recording)
 
@@ -225,9 +225,9 @@ def test_what_exists_is_kept(tmp_path):
     assert path.read_bytes() == b"precious"
     with pytest.raises(InputError, match="no folder"):
         recorder_of(live_flight(), tmp_path / "nowhere" / "kite.arrows")
-    names = {moment_name(tmp_path)}
+    names = {timestamped_name(tmp_path)}
     next(iter(names)).touch()
-    assert not moment_name(tmp_path).exists()
+    assert not timestamped_name(tmp_path).exists()
 
 
 def rewritten(file, path, **changes):

@@ -8,11 +8,11 @@ import pytest
 
 from kitemj.cli import main
 from kitemj.errors import InputError
-from kitemj.flight.output import COLUMNS
+from kitemj.flight.motion_table import COLUMNS
 from kitemj.recording.export import write_table
 from kitemj.recording.file import read_recording
-from kitemj.recording.motion import Track
-from kitemj.recording.replay import flown_again
+from kitemj.recording.replay import replay
+from kitemj.recording.track import Track
 from tests.recording.flights import LOOPS, live_flight, recorded, restless
 
 GAP = 5e-6
@@ -27,10 +27,10 @@ def calm(tmp_path_factory):
 
 
 def test_same_model_same_bits_lagrange_micrometres(calm):
-    assert calm.departure(calm.legs[0]) is None
+    assert calm.departure(calm.episodes[0]) is None
     assert np.ptp(calm.columns["delta_rad"]) > 0.02
-    assert flown_again(calm, "mujoco").identical
-    again = flown_again(calm, "lagrange")
+    assert replay(calm, "mujoco").identical
+    again = replay(calm, "lagrange")
     assert not again.identical
     gap, _ = again.largest_gap(again.comparable)
     assert 0 < gap <= GAP
@@ -39,11 +39,11 @@ def test_same_model_same_bits_lagrange_micrometres(calm):
 def test_wild_flights_and_restarts_have_the_same_bits_in_a_fresh_process(tmp_path):
     """Slack lines, stalls, the ground: 8 s at full stick, twice, and on from there."""
     stick = restless(2, ell=1.0, hold=90)
-    path = recorded(tmp_path / "wild.arrows", 800, live_flight(LOOPS), stick, legs=2)
+    path = recorded(tmp_path / "wild.arrows", 800, live_flight(LOOPS), stick, episodes=2)
     recording = read_recording(path)
     assert recording.columns["slack"].any()
-    assert len(recording.legs) == 2
-    assert flown_again(recording, "mujoco").identical
+    assert len(recording.episodes) == 2
+    assert replay(recording, "mujoco").identical
     command = [sys.executable, "-m", "kitemj", "replay", str(path), "--model", "mujoco"]
     said = subprocess.run([*command, "--headless"], capture_output=True, text=True, check=True)
     assert "identical to the last bit" in said.stdout
@@ -53,14 +53,14 @@ def test_one_bit_of_steering_is_noticed(calm):
     columns = {name: values[:200].copy() for name, values in calm.columns.items()}
     columns["ell_m"][100] = np.nextafter(columns["ell_m"][100], np.inf)
     changed = type(calm)(calm.path, calm.header, calm.parameters, columns, "")
-    assert not flown_again(changed, "mujoco").identical
+    assert not replay(changed, "mujoco").identical
 
 
 def test_another_step_and_unknown_models(calm):
     with pytest.raises(InputError, match="there is no model 'laksa'"):
-        flown_again(calm, "laksa")
+        replay(calm, "laksa")
     with pytest.raises(InputError, match="--step must be"):
-        flown_again(calm, "lagrange", 3.0)
+        replay(calm, "lagrange", 3.0)
 
 
 def test_motions_between_ticks(calm):

@@ -15,7 +15,7 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines
 from kitemj.physics.wind import wind_speed
 from kitemj.stability.minimal import held, minimal
-from kitemj.stability.trim import MODELS, RESIDUAL, Trim, equilibria, lines_held, standing
+from kitemj.stability.trim import MODELS, RESIDUAL, Trim, equilibria, lines_held, trimmed
 from kitemj.stability.vary import with_value
 
 SETS = {name: parameter_set(name) for name in ("laksa", "thesis")}
@@ -91,7 +91,7 @@ def random_kite(rng: np.random.Generator) -> Parameters:
     )
 
 
-def trimmed(parameters: Parameters) -> tuple[list[Trim], str]:
+def found_or_said(parameters: Parameters) -> tuple[list[Trim], str]:
     """What is found, or what is said."""
     try:
         return equilibria(parameters), ""
@@ -152,7 +152,7 @@ def test_the_start_of_scenarios_is_the_same_equilibrium() -> None:
     found, trim = equilibrium(LAKSA), only(LAKSA)
     assert found[:3] == pytest.approx((trim.alpha, trim.q.gamma, trim.q.theta), abs=1e-12)
     assert found.tension == pytest.approx(trim.tensions.plus, rel=1e-12)
-    assert standing(LAKSA)[:4] == pytest.approx(trim.q, abs=1e-12)
+    assert trimmed(LAKSA)[:4] == pytest.approx(trim.q, abs=1e-12)
 
 
 def test_a_thousand_random_kites_stand_or_are_told_why_not() -> None:
@@ -160,7 +160,7 @@ def test_a_thousand_random_kites_stand_or_are_told_why_not() -> None:
     for _ in range(1000):
         parameters = random_kite(rng)
         expected = roots(parameters)
-        found, sentence = trimmed(parameters)
+        found, sentence = found_or_said(parameters)
         if sentence:
             refused += 1
             assert "no equilibrium" in sentence or "no physical equilibrium" in sentence

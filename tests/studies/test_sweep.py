@@ -14,8 +14,8 @@ from kitemj.errors import InputError
 from kitemj.flight.compare import compare
 from kitemj.flight.scenario import scenario_of
 from kitemj.flight.simulate import simulate
-from kitemj.studies import crew as crews
-from kitemj.studies.crew import dask_crew, local_crew
+from kitemj.studies import executors as crews
+from kitemj.studies.executors import dask_executor, local_executor
 from kitemj.studies.flights import fly, fly_all
 from kitemj.studies.journal import Journal
 from kitemj.studies.study import read_study
@@ -68,10 +68,10 @@ def study(tmp_path):
     return read_study(tmp_path / "study.toml")
 
 
-def flown(study, table, crew, tell=lambda done: None):
+def flown(study, table, executor, tell=lambda done: None):
     """The rows of the finished table, without what they cost."""
     with Journal(table, study) as journal:
-        sweep(journal, crew, SMALL_COST, tell)
+        sweep(journal, executor, SMALL_COST, tell)
         journal.write_table(table, overwrite=True)
     rows = pq.read_table(table).to_pylist()
     return [{k: v for k, v in row.items() if k != "cost_s"} for row in rows]
@@ -126,8 +126,8 @@ def test_two_processes_make_the_same_table_though_one_is_killed(study, plain, tm
             killed.append(active_children()[0])
             killed[0].kill()
 
-    with local_crew(2) as crew:
-        assert flown(study, tmp_path / "b.parquet", crew, kill_one) == plain
+    with local_executor(2) as executor:
+        assert flown(study, tmp_path / "b.parquet", executor, kill_one) == plain
     assert killed
 
 
@@ -137,10 +137,10 @@ def test_dask_makes_the_same_table(study, plain, tmp_path):
         distributed.LocalCluster(
             n_workers=1, threads_per_worker=2, processes=False, dashboard_address=None
         ) as cluster,
-        dask_crew(cluster.scheduler_address) as crew,
+        dask_executor(cluster.scheduler_address) as executor,
     ):
-        assert crew.workers == 2
-        assert flown(study, tmp_path / "b.parquet", crew) == plain
+        assert executor.workers == 2
+        assert flown(study, tmp_path / "b.parquet", executor) == plain
 
 
 @pytest.mark.parametrize("after", [1, 7, 13])
@@ -164,18 +164,18 @@ def test_a_line_cut_short_is_flown_again(study, plain, tmp_path):
     lines = journal.path.read_bytes().splitlines(keepends=True)
     journal.path.write_bytes(b"".join(lines[:10]) + lines[10][:25])
     kept = [json.loads(line)["flight"] for line in lines[1:10]]
-    crew = HereCrew()
-    assert flown(study, table, crew) == plain
-    assert sorted(kept + crew.flown) == list(range(FLIGHTS))
+    executor = HereCrew()
+    assert flown(study, table, executor) == plain
+    assert sorted(kept + executor.flown) == list(range(FLIGHTS))
 
 
 def test_a_flight_that_ends_its_process_is_found_and_named(study, plain, tmp_path):
-    crew = HereCrew(deadly=[7])
-    rows = flown(study, tmp_path / "b.parquet", crew)
+    executor = HereCrew(deadly=[7])
+    rows = flown(study, tmp_path / "b.parquet", executor)
     assert rows[7]["ending"] == "failed"
     assert "died" in rows[7]["reason"]
     assert rows[:7] + rows[8:] == plain[:7] + plain[8:]
-    assert crew.renewed == 2
+    assert executor.renewed == 2
 
 
 def test_workers_that_cannot_work_end_the_study_with_a_sentence(study, tmp_path):

@@ -3,13 +3,14 @@
 import numpy as np
 import pygame
 import pytest
+from thesis import display
+from thesis.answers import not_shown
+from thesis.display import CAPTIONS, SIZE, section
+from thesis.section import Verdict
 
-from kitemj.cockpit.picture import VIEWS, Picture
+from kitemj.controls.actions import VIEWS
+from kitemj.drawing.picture import Picture
 from kitemj.errors import NoGraphics
-from kitemj.thesis import display
-from kitemj.thesis.answers import not_shown
-from kitemj.thesis.display import CAPTIONS, SIZE, section
-from kitemj.thesis.section import Verdict
 
 SHORT = 0.3
 

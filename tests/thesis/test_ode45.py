@@ -4,11 +4,11 @@ from functools import partial
 
 import numpy as np
 import pytest
+from thesis.ode45 import solved
 
 from kitemj.flight.scenario import scenario_of
 from kitemj.flight.simulate import make_model
 from kitemj.physics.steering import Control, Segment, control, rest_ell
-from kitemj.thesis.ode45 import solved
 
 SCENARIO = scenario_of({"set": "thesis", "duration": 1.0}, "test")
 ELL = rest_ell(SCENARIO.parameters.lines.length, SCENARIO.parameters.kite.y_A)

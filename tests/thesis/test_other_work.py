@@ -4,9 +4,8 @@ import os
 from math import isnan
 
 import pytest
-
-from kitemj.thesis import other_work
-from kitemj.thesis.other_work import Work, others, work
+from thesis import other_work
+from thesis.other_work import Work, others, work
 
 needs_clock = pytest.mark.skipif(not hasattr(os, "sysconf"), reason="no ticks of the clock")
 

@@ -4,9 +4,9 @@ from math import degrees
 
 import numpy as np
 import pytest
+from thesis import equilibrium, frames_placed, misprints, parameters, post_processing
 
 from kitemj.physics.frames import R_1E
-from kitemj.thesis import frames_placed, instant, misprints, parameters, standing
 from tests.support import LAKSA
 
 ROUNDING = 1e-12
@@ -82,7 +82,7 @@ def test_frames_are_where_their_definitions_say():
 
 def test_the_scalar_equation_has_the_paper_s_root():
     """The numbers for the set laksa are those of the 2017 paper's equation, solved by others."""
-    alpha, gamma, theta, tension = standing.by_equation(LAKSA)
+    alpha, gamma, theta, tension = equilibrium.by_equation(LAKSA)
     angles = [degrees(angle) for angle in (alpha, gamma, theta)]
     assert angles == pytest.approx([7.746286, 22.882617, -15.136331], abs=5e-7)
     assert tension == pytest.approx(43.7845, abs=5e-5)
@@ -90,7 +90,7 @@ def test_the_scalar_equation_has_the_paper_s_root():
 
 def test_models_stand_where_the_equation_says():
     """To 1e-9°: rounding in the engine's accelerations is some 1e-12 of g."""
-    rows = standing.standing_table().rows
+    rows = equilibrium.standing_table().rows
     assert len(rows) == 16
     for row in rows:
         of_equation = next(r for r in rows if r[:2] == row[:2])
@@ -99,7 +99,7 @@ def test_models_stand_where_the_equation_says():
 
 
 def test_forces_and_moments_of_an_instant_add_up():
-    table, (force, moment) = instant.instant_table()
+    table, (force, moment) = post_processing.instant_table()
     assert force < 1e-10  # N; of forces of some 100 N
     assert moment < 1e-10  # N m
     assert {row[0] for row in table.rows} == {12, 13, 14}

@@ -2,19 +2,20 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
+from thesis import real_time, real_time_flights
+from thesis.answers import not_shown
+from thesis.observed_flight import Painted, Watched
+from thesis.real_time import ANSWERS, section
+from thesis.real_time_flights import CASES, Case, Run, flown
+from thesis.section import Verdict
 
-from kitemj.cockpit.physics_process import News
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
-from kitemj.thesis import real_time, real_time_flights
-from kitemj.thesis.answers import not_shown
-from kitemj.thesis.real_time import ANSWERS, section
-from kitemj.thesis.real_time_flights import CASES, Case, Run, flown
-from kitemj.thesis.section import Verdict
-from kitemj.thesis.watching import Painted, Watched
+from kitemj.realtime.worker import TickNews
 
 SHORT = 0.2  # s
 STILL = Case("display", "no picture")
@@ -40,7 +41,7 @@ def test_real_time_is_kept_or_not():
 
 
 def test_what_was_watched_is_what_is_told(monkeypatch):
-    ticks = [News(0.0, 0.0, None, None, late, None, None, "", 0.0) for late in (0.001, 0.02)]
+    ticks = [TickNews(0.0, 0.0, None, None, late, None, None, "", 0.0) for late in (0.001, 0.02)]
     frames = [Painted(0.1, 0.03)]
     asked = {}
 
@@ -60,11 +61,14 @@ def test_what_was_watched_is_what_is_told(monkeypatch):
 
 def test_the_file_of_the_cold_start_loads_nothing_that_paints():
     code = (
-        "import sys, kitemj.thesis.real_time_flights, kitemj.cockpit.flight_process;"
+        "import sys, thesis.real_time_flights, kitemj.realtime.process;"
         "print([m for m in sys.modules if m.startswith(('OpenGL', 'mujoco.egl'))"
-        " or m == 'kitemj.cockpit.picture'])"
+        " or m == 'kitemj.drawing.picture'])"
     )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    scripts = Path(__file__).parents[2] / "scripts"
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=scripts, capture_output=True, text=True, check=True
+    )
     assert done.stdout.strip() == "[]"
 
 

@@ -5,16 +5,16 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from thesis import answers, equilibrium, parameters, report
+from thesis.section import Answer, Drawing, Named, Section, Verdict
+from thesis.wording import heading, shown, typeset
 
 from kitemj.cli import main
 from kitemj.errors import InputError
 from kitemj.tables import Table
-from kitemj.thesis import answers, parameters, report, standing
-from kitemj.thesis.section import Answer, Drawing, Named, Section, Verdict
-from kitemj.thesis.words import heading, shown, typeset
 
 ROOT = Path(__file__).parents[2]
-CHEAP = (parameters, standing)
+CHEAP = (parameters, equilibrium)
 ITEMS = [f"Figure {i}" for i in range(1, 56)] + [f"Table {i}" for i in range(1, 15)]
 
 
@@ -109,7 +109,7 @@ def test_tables_are_the_same_each_time_and_in_both_formats(made, tmp_path):
 
 
 def test_drawings_are_the_same_each_time(made, tmp_path):
-    write(tmp_path / "again", [standing])
+    write(tmp_path / "again", [equilibrium])
     [drawing] = (tmp_path / "again" / "figures").glob("*.svg")
     assert drawing.read_bytes() == (made / "figures" / drawing.name).read_bytes()
 
@@ -203,7 +203,7 @@ def test_units_of_columns_are_written_for_people():
         ("C_lβ = -0.1", "C<sub>lβ</sub> = −0.1"),
         ("depends on C_lβ.", "depends on C<sub>lβ</sub>."),
         ("x_E < 3e-07 m", "x<sub>E</sub> &lt; 3\u00a0·\u00a010⁻⁷ m"),
-        ("Fun_Post_KA and kitemj/thesis/free_and_steered.py", None),
+        ("Fun_Post_KA and scripts/thesis/free_and_steered.py", None),
         ("newton-euler, Figures 3-5", None),
     ],
 )

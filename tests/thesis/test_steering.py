@@ -4,17 +4,17 @@ from math import degrees
 
 import numpy as np
 import pytest
+from thesis import free_and_steered_flights as free
+from thesis import limits_of_steering_flights as limits
+from thesis import limits_of_steering_tables as tables
+from thesis.forced import STEP, Steered, Swing, repeating, settled, threshold
+from thesis.programmed_steering import FULL, flown_live, moved, scenario, squares, sticks
 
-from kitemj.dynamics.survey import ALPHA, BETA, TENSION_MINUS, TENSION_PLUS
+from kitemj.dynamics.batch import ALPHA, BETA, TENSION_MINUS, TENSION_PLUS
 from kitemj.flight.live import TICK
 from kitemj.physics.steering import control, line_motion, rest_ell
 from kitemj.stability.minimal import held
 from kitemj.stability.modes import crossings, growth
-from kitemj.thesis import free_and_steered_flights as free
-from kitemj.thesis import limits_of_steering_flights as limits
-from kitemj.thesis import limits_of_steering_tables as tables
-from kitemj.thesis.forced import STEP, Steered, Swing, repeating, settled, threshold
-from kitemj.thesis.hands import FULL, flown_live, moved, scenario, squares, sticks
 
 QUICK = Swing(0.05, 0.6)
 MODELS_APART = 0.01
@@ -62,7 +62,7 @@ def test_beta_grows_in_flight_as_its_mode_says():
 
 @pytest.mark.parametrize("length", free.LENGTHS)
 def test_lines_that_move_at_once_throw_the_kite(length):
-    rows = free.survey(length, free.THESIS, free.SLOW, 0.0)
+    rows = free.batch(length, free.THESIS, free.SLOW, 0.0)
     thrown = free.start_beta(length, free.SLOW)
     assert abs(degrees(rows[0, BETA])) == pytest.approx(thrown, abs=1e-6)
     assert degrees(np.abs(rows[1000:, BETA]).max()) < 0.2 * thrown
@@ -125,8 +125,8 @@ def test_surveyed_hands_are_those_of_a_live_flight():
         planned = control(programme, i * TICK)
         assert motions[i].control.delta == pytest.approx(planned.delta, abs=1e-12)
     live = max(abs(m.air.beta) for m in motions)
-    surveyed = limits.largest_beta(80.0, limits.CASES[2], hand)
-    assert surveyed == pytest.approx(degrees(live), abs=1e-4)
+    fill_rows = limits.largest_beta(80.0, limits.CASES[2], hand)
+    assert fill_rows == pytest.approx(degrees(live), abs=1e-4)
 
 
 def test_arms_make_the_lines_that_they_reach():

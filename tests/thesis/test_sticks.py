@@ -3,13 +3,13 @@
 from itertools import pairwise
 
 import pytest
+from thesis import sticks, sticks_flights
+from thesis.answers import not_shown
+from thesis.sticks import section
+from thesis.sticks_flights import DURATION, MOVES, SIGNALS, raw, smooth, stick
 
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw
-from kitemj.thesis import sticks, sticks_flights
-from kitemj.thesis.answers import not_shown
-from kitemj.thesis.sticks import section
-from kitemj.thesis.sticks_flights import DURATION, MOVES, SIGNALS, raw, smooth, stick
 
 THESIS = parameter_set("thesis")
 LIMITS = THESIS.stick

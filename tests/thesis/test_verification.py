@@ -4,12 +4,10 @@ from math import pi
 
 import numpy as np
 import pytest
-
-from kitemj.physics.steering import Control, Segment, control
-from kitemj.thesis import verification
-from kitemj.thesis.answers import not_shown
-from kitemj.thesis.verification import section
-from kitemj.thesis.verification_flights import (
+from thesis import verification
+from thesis.answers import not_shown
+from thesis.verification import section
+from thesis.verification_flights import (
     POSITION,
     Interpolated,
     all_again,
@@ -19,6 +17,8 @@ from kitemj.thesis.verification_flights import (
     recorded,
     segments_of,
 )
+
+from kitemj.physics.steering import Control, Segment, control
 
 SHORT = 1.0
 NEAR = 1e-8

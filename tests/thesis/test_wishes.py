@@ -1,14 +1,14 @@
 """Wishes: what is said to be done was flown."""
 
 import pytest
+from thesis import wishes
+from thesis.wishes import REEL, Reel, as_table, ell_at_rest, section, steered, table_gap
 
-from kitemj.flight.pilots import Land
-from kitemj.flight.validity import Ending
+from kitemj.flight.limits import Ending
 from kitemj.physics.aerodynamics import coefficients
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
-from kitemj.thesis import wishes
-from kitemj.thesis.wishes import REEL, Reel, as_table, ell_at_rest, section, steered, table_gap
+from kitemj.pilots.manoeuvres import Land
 
 THESIS = parameter_set("thesis")
 SAME = 1e-12

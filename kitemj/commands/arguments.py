@@ -1,0 +1,56 @@
+"""Words that several subcommands share."""
+
+import argparse
+from typing import NoReturn
+
+from kitemj.controls.actions import VIEWS
+from kitemj.errors import InputError
+
+MODELS = ("mujoco", "newton-euler", "lagrange")
+RAW = argparse.RawDescriptionHelpFormatter
+
+
+class Parser(argparse.ArgumentParser):
+    """One line for bad words, like for any other bad input."""
+
+    def error(self, message: str) -> NoReturn:
+        """Exit status 2."""
+        self.exit(2, f"kitemj: {message}; see {self.prog} --help\n")
+
+
+def command(
+    commands: "argparse._SubParsersAction[Parser]", name: str, says: str, example: str
+) -> Parser:
+    """The parser of a subcommand, with an example in its help."""
+    return commands.add_parser(
+        name, help=says, description=says, epilog=f"example:\n  {example}", formatter_class=RAW
+    )
+
+
+def add_step(parser: Parser) -> None:
+    """``--step``."""
+    parser.add_argument(
+        "--step", type=float, default=0.002, metavar="S", help="longest step [s], default 0.002"
+    )
+
+
+def add_picture(parser: Parser) -> None:
+    """``--view`` and ``--size``."""
+    parser.add_argument("--view", choices=VIEWS, default=VIEWS[0], help="where from")
+    parser.add_argument("--size", default="1280x720", metavar="WxH", help="default 1280x720")
+
+
+def size(text: str) -> tuple[int, int]:
+    """(width, height) [px] of a text like 1280x720; InputError for any other."""
+    width, _, height = text.partition("x")
+    if not (width.isdigit() and height.isdigit()):
+        raise InputError(f"--size must be like 1280x720, got {text!r}")
+    return int(width), int(height)
+
+
+def number(text: str, word: str) -> float:
+    """The number that `text` says; InputError, which names `word`, where it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(f"{word} must be a number, got {text!r}") from None

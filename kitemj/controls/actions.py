@@ -1,0 +1,109 @@
+"""What a person can ask for, by key or pad: the names of all actions, and their help.
+
+`Wishes` is what they add up to: states that last, and deeds that are done once.
+"""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+VIEWS = ("chase", "pilot", "side", "top", "orbit")
+"""Where a picture can be seen from."""
+
+PANELS = ("flight", "air", "window", "chart", "lines", "knob", "model")
+"""Instruments that are boxes at the edges of a picture."""
+
+INSTRUMENTS = (*PANELS, "inset", "trail", "forces", "labels")
+"""What a picture can show over its view."""
+
+
+class Action(NamedTuple):
+    """`shown` is how its keys are called on the help page; `help` what it does."""
+
+    name: str
+    shown: str
+    help: str
+
+
+ACTIONS = (
+    Action("restart", "R   (A)", "start again"),
+    Action("rewind", "Backspace   (right stick pressed)", "5 s back"),
+    Action("save", "F5   F9   (cross down, up)", "mark this moment; go back to it"),
+    Action("load", "", ""),
+    Action("pause", "Space   .   (Start)", "pause; one tick"),
+    Action("step", "", ""),
+    Action("slower", "-   =   (shoulders)", "slower, faster"),
+    Action("faster", "", ""),
+    Action("law", "T   (B)", "the stick asks for δ, its rate, its acceleration"),
+    Action("two sticks", "Y   (left stick pressed)", "a stick for each line"),
+    Action("view", "V   (Y)", "next view"),
+    Action("instruments", "I   (X)", "all instruments or none; 1 to 9, 0, L: one"),
+    Action("full screen", "F11   F", "full screen"),
+    Action("next lesson", "N   B", "next lesson; begin the lesson again"),
+    Action("begin lesson", "", ""),
+    Action("help", "F1   ?", "this page"),
+    Action("leave", "Esc", "leave"),
+)
+
+NAMES = frozenset(
+    [*(action.name for action in ACTIONS), *(f"toggle {name}" for name in INSTRUMENTS)]
+)
+
+HELP = (
+    "Left stick, arrow keys, A D\tsteer (Shift: fully); the knob shows which hand pulls",
+    "Mouse, left button held\tsteer as far as from the middle",
+    "Right stick, W S\tlet line out, take it in",
+    "Mouse, right button, wheel\tturn and near the orbit view",
+    *(f"{action.shown}\t{action.help}" for action in ACTIONS if action.shown),
+)
+
+RATES = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
+FLIGHT_DEEDS = frozenset({"restart", "step", "rewind", "save", "load"})
+"""What the physics does between two ticks."""
+
+
+class Wishes:
+    """What the person at a screen wants.
+
+    `rate` is simulated over wall time, 0 a pause; `shown` the instruments; `turn` [rad] and
+    `zoom` move the eye of the orbit view. `deeds` are actions to be done once, by whoever
+    can; `taken` hands them over.
+    """
+
+    def __init__(self, view: str = VIEWS[0]) -> None:
+        self.view, self.rate, self.help, self.leaving = view, 1.0, False, False
+        self.shown = set(INSTRUMENTS)
+        self.turn, self.zoom = (0.0, 0.0), 1.0
+        self.deeds: list[str] = []
+        self._speed = 1.0  # when not paused
+
+    def ask(self, names: Iterable[str]) -> None:
+        """Takes actions by their names; one that is unknown is a KeyError."""
+        for name in names:
+            if name not in NAMES:
+                raise KeyError(name)
+            self._ask(name)
+
+    def _ask(self, name: str) -> None:
+        if name == "leave":
+            self.leaving = True
+        elif name == "help":
+            self.help = not self.help
+        elif name == "view":
+            self.view = VIEWS[(VIEWS.index(self.view) + 1) % len(VIEWS)]
+        elif name == "instruments":
+            self.shown = set() if self.shown else set(INSTRUMENTS)
+        elif name.startswith("toggle "):
+            self.shown ^= {name.removeprefix("toggle ")}
+        elif name == "pause":
+            self.rate = 0.0 if self.rate else self._speed
+        elif name in ("slower", "faster"):
+            further = RATES.index(self._speed) + (1 if name == "faster" else -1)
+            self.rate = self._speed = RATES[max(0, min(further, len(RATES) - 1))]
+        else:
+            self.deeds.append(name)
+
+    def taken(self) -> tuple[list[str], tuple[float, float], float]:
+        """The deeds, the turn and the zoom asked for since; they are forgotten."""
+        deeds, turn, zoom = self.deeds, self.turn, self.zoom
+        self.deeds, self.turn, self.zoom = [], (0.0, 0.0), 1.0
+        return deeds, turn, zoom

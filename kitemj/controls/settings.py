@@ -1,0 +1,133 @@
+"""What a person sets once: how sticks feel, and layouts of pads that SDL does not know."""
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Annotated, Any, NamedTuple
+
+import tomlkit
+from platformdirs import user_config_path
+
+from kitemj.controls.pad_layout import Layout, layout_of
+from kitemj.errors import InputError
+from kitemj.files import new_file
+from kitemj.physics.checked import checked, unknown_key
+from kitemj.physics.parameter_files import read_toml
+from kitemj.physics.quantity import Quantity
+from kitemj.physics.shaping import StickLaw
+
+LAWS = {law.name.lower(): law for law in StickLaw}
+
+
+class Feel(NamedTuple):
+    """How deflection becomes command; the dead zone is part of a stick's way to one side."""
+
+    dead_zone: Annotated[float, Quantity("", "does nothing about the centre", ge=0, le=0.5)] = 0.08
+    expo: Annotated[float, Quantity("", "0: straight; 1: x³, gentle in the middle", ge=0, le=1)] = 0
+    two_sticks: Annotated[bool, Quantity("", "true: each stick holds one line")] = False
+
+
+class Invert(NamedTuple):
+    """Which axes of pads are turned around."""
+
+    steer: Annotated[bool, Quantity("", "true: stick left steers right")] = False
+    reel: Annotated[bool, Quantity("", "true: stick down lets line out")] = False
+
+
+class Settings(NamedTuple):
+    """`pads` holds layouts by SDL's GUID of the pad."""
+
+    feel: Feel = Feel()
+    law: StickLaw = StickLaw.ANGLE
+    invert: Invert = Invert()
+    pads: Mapping[str, Layout] = {}
+
+
+NEW_FILE = """\
+# Settings of kitemj; a line that is left out, or begins with #, has the value shown here.
+# dead_zone = 0.08     # 0 to 0.5, of a stick's way: does nothing about the centre
+# expo = 0             # 0 to 1; more is gentler in the middle
+# law = "angle"        # or "rate" or "acceleration": what the stick asks for at the start
+# two_sticks = false   # true: each stick holds one line
+# invert = { steer = false, reel = false }
+"""
+
+
+def settings_path() -> Path:
+    """Where the file is on this system, whether there is one or not."""
+    return user_config_path("kitemj") / "settings.toml"
+
+
+def read_settings(path: Path | None = None) -> Settings:
+    """The settings of the file, the defaults where there is none.
+
+    Raises InputError with one sentence for whatever is wrong in it.
+    """
+    path = path or settings_path()
+    return settings_of(read_toml(path), str(path)) if path.exists() else Settings()
+
+
+def settings_or_defaults(path: Path | None = None) -> tuple[Settings, str]:
+    """The settings, and a sentence where the file is damaged; then they are the defaults."""
+    try:
+        return read_settings(path), ""
+    except InputError as error:
+        return Settings(), f"settings left aside: {error}"
+
+
+def settings_of(tables: Mapping[str, Any], where: str) -> Settings:
+    """The settings of a file's tables; `where` names the file in messages."""
+    known = [*Feel._fields, "law", "invert", "pads"]
+    for key in tables:
+        if key not in known:
+            raise unknown_key(key, known, "", where)
+    law = tables.get("law", "angle")
+    if not isinstance(law, str) or law not in LAWS:
+        raise InputError(f"law must be one of {', '.join(LAWS)}, got {law!r} ({where})")
+    pads = _table(tables, "pads", where)
+    return Settings(
+        checked(Feel, {key: tables[key] for key in Feel._fields if key in tables}, "", where),
+        LAWS[law],
+        checked(Invert, _table(tables, "invert", where), "invert", where),
+        {guid: layout_of(table, f"pads.{guid}", where) for guid, table in pads.items()},
+    )
+
+
+def _table(tables: Mapping[str, Any], key: str, where: str) -> Mapping[str, Any]:
+    table = tables.get(key, {})
+    if not isinstance(table, Mapping):
+        raise InputError(f"{key} must be a table, got {table!r} ({where})")
+    return table
+
+
+def check_writable(path: Path, overwrite: bool) -> None:
+    """Raises InputError where a layout cannot be added: nothing of a damaged file is lost."""
+    try:
+        if not overwrite:
+            read_settings(path)
+    except InputError as error:
+        raise InputError(f"{error}; mend it, or --overwrite to begin a new file") from None
+    folder = next(parent for parent in path.parents if parent.exists())
+    if not folder.is_dir() or not os.access(folder, os.W_OK):
+        raise InputError(f"the folder {folder} is not writable")
+
+
+def write_layout(path: Path, guid: str, layout: Layout, overwrite: bool = False) -> None:
+    """Puts a pad's layout into the file; all else in it stays as it is, comments too.
+
+    A damaged file is replaced by a new one where `overwrite` is on.
+    """
+    check_writable(path, overwrite)
+    try:
+        read_settings(path)
+        text = path.read_text(encoding="utf-8") if path.exists() else NEW_FILE
+    except InputError:
+        text = NEW_FILE
+    document = tomlkit.parse(text)
+    if "pads" not in document:
+        document["pads"] = tomlkit.table(is_super_table=True)
+    document["pads"][guid] = layout.table()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # a link stays a link
+    with new_file(path.resolve(), overwrite=True) as part:
+        part.write_text(tomlkit.dumps(document), encoding="utf-8")

@@ -1,0 +1,130 @@
+"""What steers: a person with a gamepad, the keys or the mouse; or a pilot in their place."""
+
+from typing import Protocol
+
+import pygame
+
+from kitemj.controls.notices import Notices
+from kitemj.controls.pads import Pads
+from kitemj.controls.programmed import ProgrammedStick
+from kitemj.controls.settings import Settings
+from kitemj.controls.stick_mapping import REST, Deflections, command_of
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.live import Command
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.shaping import StickLaw
+from kitemj.pilots.manoeuvres import Pilot
+
+__all__ = ["PersonStick", "PilotStick", "ProgrammedStick", "Stick"]
+
+ASKS = ("an angle δ, to which the hands go", "a rate of δ", "an acceleration of δ")
+"""What each law means, in words."""
+
+USUAL = 0.4
+"""Of the full way: keys; with Shift they ask for all of it, which few kites forgive for long."""
+
+
+class Stick(Protocol):
+    """Something that asks for δ and ℓ; `name` is shown among the instruments."""
+
+    @property
+    def name(self) -> str:
+        """What steers."""
+
+    def command(self, motion: Motion) -> Command:
+        """What is asked for now; `motion` is what the pilot sees."""
+
+
+class PilotStick:
+    """A pilot in a person's place."""
+
+    name = "pilot"
+
+    def __init__(self, pilot: Pilot) -> None:
+        self.command = pilot.command
+
+
+class PersonStick:
+    """Held keys, the mouse with its button held, and the pad that was moved last.
+
+    Whatever of these is away from its centre steers, in that order. `law` and `two_sticks`
+    may be changed in flight. Keys ask for their way at once: the limits on how fast and
+    how suddenly lines move make that a ramp, so a short press is a small deflection.
+
+    Needs pygame's display module; `handle` is to see every event.
+    """
+
+    def __init__(self, settings: Settings, parameters: Parameters) -> None:
+        self.law, self.two_sticks = settings.law, settings.feel.two_sticks
+        self.notices = Notices()
+        self._parameters = parameters
+        self._pads = Pads(settings, self.notices)
+        self._mouse: float | None = None
+
+    def close(self) -> None:
+        """Lets go of the pads."""
+        self._pads.close()
+
+    @property
+    def name(self) -> str:
+        """What steers at present."""
+        if any(_held_keys()):
+            return "keys"
+        if self._mouse is not None:
+            return "mouse"
+        return "gamepad" if self._pads.steering else "keys"
+
+    @property
+    def message(self) -> str:
+        """What the person should know of the pads."""
+        return self.notices.newest
+
+    def handle(self, event: pygame.event.Event) -> tuple[str, ...]:
+        """Pads and the mouse; the actions that a button of a pad asks for."""
+        if event.type == pygame.WINDOWFOCUSLOST or (
+            event.type == pygame.MOUSEBUTTONUP and event.button == 1
+        ):
+            self._mouse = None
+        elif (event.type == pygame.MOUSEBUTTONDOWN and event.button == 1) or (
+            event.type == pygame.MOUSEMOTION and event.buttons[0]
+        ):
+            middle = pygame.display.get_window_size()[0] / 2
+            self._mouse = max(-1.0, min(1.0, (event.pos[0] - middle) / middle * 2))
+        return self._pads.handle(event)
+
+    def change(self, what: str) -> None:
+        """To the next "law", or to a stick for each line and back ("two sticks")."""
+        if what == "law":
+            self.law = StickLaw((self.law + 1) % len(StickLaw))
+            self.notices.say(f"the stick asks for {ASKS[self.law]}")
+        else:
+            self.two_sticks = not self.two_sticks
+            said = "each stick pulls its own line" if self.two_sticks else "one stick steers"
+            self.notices.say(said)
+
+    def command(self, motion: Motion) -> Command:
+        """Where the hands are now."""
+        mouse = (
+            REST
+            if self._mouse is None
+            else Deflections(self._mouse, 0.0, -self._mouse, self._mouse)
+        )
+        ways = zip(_held_keys(), mouse, self._pads.hands(), strict=True)
+        hands = Deflections(*(keys or mouse or pad for keys, mouse, pad in ways))
+        return command_of(hands, self._parameters, self.law, self.two_sticks)
+
+
+def _held_keys() -> Deflections:
+    """Arrows or A D W S for one stick; W S for the left line, ↑ ↓ for the right one."""
+    held = pygame.key.get_pressed()
+    full = 1.0 if pygame.key.get_mods() & pygame.KMOD_SHIFT else USUAL
+
+    def between(less: tuple[int, ...], more: tuple[int, ...]) -> float:
+        return full * (any(held[key] for key in more) - any(held[key] for key in less))
+
+    return Deflections(
+        steer=between((pygame.K_LEFT, pygame.K_a), (pygame.K_RIGHT, pygame.K_d)),
+        reel=between((pygame.K_DOWN, pygame.K_s), (pygame.K_UP, pygame.K_w)),
+        left=between((pygame.K_w,), (pygame.K_s,)),
+        right=between((pygame.K_UP,), (pygame.K_DOWN,)),
+    )

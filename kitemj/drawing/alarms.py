@@ -1,0 +1,97 @@
+"""Which limit of validity is crossed, which instrument says so, and the words of the banner."""
+
+from typing import NamedTuple
+
+import pygame
+
+from kitemj.drawing.panel import ALARM, CALL, INK, NOW, QUIET, RECENT, WHITE
+from kitemj.drawing.text import Colour, put, width, wrapped
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.limits import Ending, departure_at, touches_ground
+from kitemj.physics.parameters import Parameters
+
+HELD = 6.0
+"""s; how long the reason stays on the screen after the flight is back within its limits."""
+
+INSTRUMENT = {
+    "SLACK": "lines",
+    "CEILING": "lines",
+    "STALL": "air",
+    "SIDESLIP": "air",
+    "GROUND": "flight",
+}
+"""The instrument that shows each limit."""
+
+LEADING = 17  # px of 720 rows between lines of the banner
+OVER = "a line pulls more than it may carry"
+
+
+class Alarm(NamedTuple):
+    """A limit that is or was crossed: its name, the numbers, the sentence; `age` [s] since."""
+
+    limit: str
+    reading: str
+    sentence: str
+    age: float = 0.0
+
+
+def alarm_at(parameters: Parameters, motion: Motion) -> Alarm | None:
+    """The gravest limit that is crossed at this instant."""
+    ceiling, tension = parameters.limits.tension_max, max(motion.tensions)
+    if touches_ground(parameters, motion):
+        reading = f"{motion.air.speed:.0f} m/s of air"
+        return Alarm(Ending.GROUND.name, reading, Ending.GROUND.value)
+    departure = departure_at(parameters, motion)
+    if departure:
+        return Alarm(departure.ending.name, departure.reading, departure.ending.value)
+    if tension > ceiling:
+        return Alarm("CEILING", f"{tension:.0f} N of {ceiling:.0f} N", OVER)
+    return None
+
+
+def loudness(alarm: Alarm | None, instrument: str) -> int:
+    """How an instrument is to be painted: QUIET, RECENT or NOW."""
+    if alarm is None or alarm.age > HELD or INSTRUMENT.get(alarm.limit) != instrument:
+        return QUIET
+    return NOW if alarm.age == 0.0 else RECENT
+
+
+def paint_banner(
+    surface: pygame.Surface,
+    room: pygame.Rect,
+    unit: float,
+    alarm: Alarm | None,
+    message: str,
+    top: bool,
+) -> pygame.Rect:
+    """The message and the reason of the alarm, at the top or the foot of `room` [px].
+
+    Returns where that is; an empty rectangle when there is nothing to say.
+    """
+    inner = room.width - 24 * unit
+    lines: list[tuple[str, float, Colour, Colour]] = []
+
+    def say(text: str, size: float, colour: Colour, field: Colour) -> None:
+        lines.extend((part, size, colour, field) for part in wrapped(text, inner, size * unit))
+
+    if message and not (alarm and message == alarm.sentence):
+        say(message, 20, CALL, INK)
+    if alarm and alarm.age <= HELD:
+        now = alarm.age == 0.0
+        colour, field = (WHITE, ALARM) if now else (CALL, INK)
+        ago = "" if now else f"{max(round(alarm.age), 1)} s ago: "
+        say(f"{alarm.limit}: {alarm.reading}", 23, colour, field)
+        say(ago + alarm.sentence, 18, colour, field)
+    wide = max((width(text, size * unit) for text, size, _, _ in lines), default=0) + 24 * unit
+    tall = sum(size + LEADING for _, size, _, _ in lines) * unit
+    whole = pygame.Rect(0, 0, round(wide) if lines else 0, round(tall))
+    whole.midtop = (room.centerx, room.top if top else round(room.bottom - tall))
+    row = float(whole.top)
+    for text, size, colour, field in lines:
+        tall = (size + LEADING) * unit
+        box = pygame.Rect(0, round(row), round(wide), round(row + tall) - round(row))
+        box.centerx = room.centerx
+        surface.fill(field, box)
+        put(surface, text, room.centerx, row + tall / 2, size * unit, colour, 0.5)
+        row += tall
+    return whole

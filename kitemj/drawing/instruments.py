@@ -1,0 +1,259 @@
+"""The numbers over the picture: where each instrument has its place, and which are shown.
+
+Red is the pilot's left (A₊), blue the pilot's right (A₋), as on the kite.
+"""
+
+from math import degrees
+
+import numpy as np
+import pygame
+
+from kitemj.controls.actions import PANELS
+from kitemj.drawing import strip_chart, wind_window
+from kitemj.drawing.alarms import Alarm, alarm_at, loudness, paint_banner
+from kitemj.drawing.knob import paint_knob
+from kitemj.drawing.lesson_panel import beside, paint_lesson, paint_touch
+from kitemj.drawing.panel import (
+    CALL,
+    DIM,
+    GOOD,
+    LARGE,
+    LEFT,
+    NAME,
+    NOW,
+    NUMBER,
+    RIGHT,
+    TROUGH,
+    WHITE,
+    Panel,
+    box_of,
+)
+from kitemj.drawing.readings import Readings
+from kitemj.drawing.scene import newtons_per_metre
+from kitemj.drawing.strip_chart import paint_chart
+from kitemj.drawing.tensions import paint_tensions
+from kitemj.drawing.text import width
+from kitemj.drawing.wind_window import WindWindow, bearing
+from kitemj.dynamics.motion import Motion
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.wind import wind_speed
+
+MARGIN = 12
+STRIP = 118  # height of the strip along the bottom
+INSET_FOOT = 240  # where the small view ends, in units
+GAP_UNITS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (0.0, "nm"))  # from this on, in metres
+NO_TRAIL = np.empty((0, 3))
+
+
+class Instruments:
+    """Paints the panels for one parameter set into frames of `width` x `height` pixels."""
+
+    def __init__(self, parameters: Parameters, width: int, height: int) -> None:
+        """Sizes follow the height; a frame of 720 rows has them as they are written here."""
+        self.parameters, self.width, self.height = parameters, width, height
+        self.u = min(height / 720, width / 1280)
+        self._window = WindWindow(parameters)
+        self._boxes = self._layout()
+        self._taken: list[pygame.Rect] = []
+
+    def paint(
+        self,
+        surface: pygame.Surface,
+        motion: Motion,
+        readings: Readings,
+        shown: set[str],
+        near: bool = True,
+    ) -> None:
+        """The panels named in `shown`, and what must be seen; the surface is the frame.
+
+        From `near` the kite is low in the frame, else high: the banner is where it is not.
+        """
+        names, traces = self._on(readings, shown), readings.traces
+        alarm = alarm_at(self.parameters, motion) or (traces.alarm if traces else None)
+        # the panel that alarms comes last, so that its frame lies over its neighbours
+        for name in sorted(names, key=lambda name: loudness(alarm, name)):
+            self._paint_panel(name, surface, motion, readings, loudness(alarm, name))
+        self._taken = [self.box(name) for name in names]
+        self._say(surface, readings, None if readings.touch else alarm, near)
+
+    def _say(
+        self, surface: pygame.Surface, readings: Readings, alarm: Alarm | None, near: bool
+    ) -> None:
+        """The lesson, how the kite met the ground, the message and the alarm, as there is room."""
+        room, u = self._room(near), self.u
+        if readings.lesson:
+            self._taken.append(paint_lesson(surface, room, u, readings.lesson, near))
+            room = beside(room, self._taken[-1], u)
+        self._taken.append(paint_banner(surface, room, u, alarm, readings.message, near))
+        if readings.touch:
+            if readings.message:
+                room = beside(room, self._taken[-1], u)
+            self._taken.append(paint_touch(surface, room, u, readings.touch))
+
+    def box(self, name: str) -> pygame.Rect:
+        """Where a panel is, or would be, in the frame [px]."""
+        return box_of(self._boxes[name], self.u)
+
+    def taken(self) -> list[pygame.Rect]:
+        """Where in the last frame something is painted [px]."""
+        return list(self._taken)
+
+    def _room(self, near: bool) -> pygame.Rect:
+        """Where the banner may be [px]: between the panels, above or below."""
+        u, foot = self.u, self.height - (STRIP + 10) * self.u
+        left, right = (318, 410) if near else (440, 316)
+        return pygame.Rect(
+            round(left * u),
+            round(MARGIN * u),
+            round(self.width - (left + right) * u),
+            round(foot - MARGIN * u),
+        )
+
+    def _on(self, readings: Readings, shown: set[str]) -> list[str]:
+        names = [name for name in PANELS if name in shown]
+        traces = readings.traces
+        kept = traces is not None and bool(np.isfinite(traces.lateness).any())
+        if not kept and not readings.missed_ticks and "chart" in names:
+            names.remove("chart")  # nobody keeps time: there is nothing to show
+        return names
+
+    def _layout(self) -> dict[str, tuple[float, float, float, float]]:
+        """x, y [px] and width, height [units] of each panel."""
+        u, left, top = self.u, MARGIN * self.u, self.height - STRIP * self.u
+        right, third = self.width - (292 + MARGIN) * u, self.width / 3
+        chart = INSET_FOOT + wind_window.HEIGHT + MARGIN
+        return {
+            "flight": (left, MARGIN * u, 290, 216),
+            "air": (left, 240 * u, 290, 132),
+            "window": (right, INSET_FOOT * u, wind_window.WIDTH, wind_window.HEIGHT),
+            "chart": (right, chart * u, strip_chart.WIDTH, strip_chart.HEIGHT),
+            "lines": (0.0, top, third / u, STRIP),
+            "knob": (third, top, third / u, STRIP),
+            "model": (2 * third, top, third / u, STRIP),
+        }
+
+    def _paint_panel(
+        self,
+        name: str,
+        surface: pygame.Surface,
+        motion: Motion,
+        readings: Readings,
+        alarm: int,
+    ) -> None:
+        panel, p, traces = (
+            Panel(surface, self._boxes[name], self.u),
+            self.parameters,
+            readings.traces,
+        )
+        if name == "window":
+            self._window.paint(panel, motion, traces.trail if traces else NO_TRAIL)
+            return
+        if name == "chart":
+            paint_chart(panel, traces, readings.missed_ticks, readings.lateness)
+            return
+        panel.ground(alarm)
+        if name == "flight":
+            self._flight(panel, motion, readings, alarm)
+        elif name == "air":
+            self._air(panel, motion, alarm)
+        elif name == "lines":
+            paint_tensions(panel, p, motion, alarm)
+        elif name == "knob":
+            paint_knob(
+                panel, motion.control.delta, readings.delta_command, p.stick.delta, readings.law
+            )
+        else:
+            _model(panel, readings)
+
+    def _flight(self, panel: Panel, motion: Motion, readings: Readings, alarm: int) -> None:
+        azimuth, elevation = bearing(self.parameters, motion.body.p_G_E)
+        right = panel.width - 14
+        panel.text(f"{motion.t:.1f} s", 14, 28, 28, WHITE)
+        panel.text(f"speed ×{readings.speed:.3g}", right, 28, align=1)
+        rows = (
+            ("elevation", f"{elevation:.1f}°"),
+            ("azimuth", _sided(azimuth)),
+            ("height", f"{-motion.body.p_G_E.z:.1f} m"),
+            ("airspeed", f"{motion.air.speed:.1f} m/s"),
+        )
+        for i, (name, value) in enumerate(rows):
+            grave = alarm == NOW and name == "height"
+            panel.text(name, 14, 72 + 38 * i, colour=WHITE if alarm == NOW else DIM)
+            size, colour = (LARGE, CALL) if grave else (NUMBER, WHITE)
+            panel.text(value, right, 72 + 38 * i, size, colour, 1)
+
+    def _air(self, panel: Panel, motion: Motion, alarm: int) -> None:
+        """α and β as marks between their limits."""
+        limits, air = self.parameters.limits, motion.air
+        rows = (
+            ("α", air.alpha, limits.alpha_stall, not 0 < air.alpha < limits.alpha_stall),
+            ("β", air.beta, limits.beta_max, not abs(air.beta) < limits.beta_max),
+        )
+        left, wide = 14.0, panel.width - 28
+        for i, (name, angle, limit, beyond) in enumerate(rows):
+            row, middle = 26 + 64 * i, left + wide / 2
+            panel.text(name, left, row, NUMBER, WHITE if alarm == NOW else DIM)
+            size, colour = (LARGE - 2, CALL) if beyond else (NUMBER, WHITE)
+            panel.text(f"{degrees(angle):.1f}°", 162, row, size, colour, 1)
+            panel.text(f"max {degrees(limit):.0f}°", panel.width - 14, row, align=1)
+            panel.bar(left, row + 22, wide, 11, TROUGH)
+            share = min(max(angle / limit, -1.0), 1.0)
+            start, end = sorted((middle, middle + share * wide / 2))
+            panel.bar(start, row + 22, max(end - start, 3), 11, CALL if beyond else GOOD)
+            panel.bar(middle - 1, row + 19, 2, 17, WHITE)
+
+    def legend(self, surface: pygame.Surface) -> None:
+        """What the arrows at the kite mean, above the strip along the bottom."""
+        u, scale = self.u, f"1 m = {newtons_per_metre(self.parameters):g} N"
+        names = (("air", CALL), ("weight", WHITE), ("left", LEFT), ("right", RIGHT), (scale, WHITE))
+        room = sum(width(text, NAME * u) / u + 16 for text, _ in names) + 16
+        foot = self.height - STRIP * u
+        panel, x = Panel(surface, (0.0, foot - 36 * u, room, 36), u), 16.0
+        panel.ground()
+        self._taken.append(panel.box)
+        for text, colour in names:
+            panel.text(text, x, 18, NAME, colour)
+            x += width(text, NAME * u) / u + 16
+
+    def wind_text(self, motion: Motion) -> str:
+        """The wind's speed where the kite is."""
+        speed = wind_speed(self.parameters.wind, -motion.body.p_G_E.z, motion.t)
+        return f"WIND {speed:.1f} m/s"
+
+
+def _model(panel: Panel, readings: Readings) -> None:
+    """Which model flies, who steers, how far the reference is, how the lines are twisted."""
+    right = panel.width - MARGIN
+    panel.text(readings.model, 24, 24, NUMBER, WHITE)
+    if readings.stick:
+        panel.text(readings.stick, right, 24, align=1)
+    panel.text("to reference", 24, 60)
+    gap = "none" if readings.gap is None else _length(readings.gap)
+    panel.text(gap, right, 60, NUMBER, WHITE, 1)
+    panel.text("line twist", 24, 96)
+    turns = round(degrees(readings.traces.twist) / 360) if readings.traces else 0
+    colour = (RIGHT if turns > 0 else LEFT) if turns else WHITE
+    panel.text(_turns(turns), right, 96, NUMBER, colour, 1)
+
+
+def _turns(turns: int) -> str:
+    """Whole turns of the lines; positive is to the right."""
+    return f"{abs(turns)} {'right' if turns > 0 else 'left'}" if turns else "0"
+
+
+def _sided(azimuth: float) -> str:
+    """An azimuth [deg] from downwind; positive is +y_E, the pilot's left."""
+    side = "left" if azimuth > 0.05 else "right" if azimuth < -0.05 else ""
+    digits = 0 if abs(azimuth) >= 9.95 else 1
+    return f"{abs(azimuth):.{digits}f}° {side}".rstrip()
+
+
+def _length(metres: float) -> str:
+    """A gap in the unit that suits it."""
+    if 0.0 < metres < 1e-10:
+        return "< 0.1 nm"
+    for least, unit in GAP_UNITS:
+        if metres >= least:
+            number = metres / (least or 1e-9)
+            return f"{number:.0f} {unit}" if number >= 100 else f"{number:.3g} {unit}"
+    return "no number"

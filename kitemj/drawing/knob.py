@@ -1,0 +1,58 @@
+"""The knob: δ as a dial, the stick's wish beside it, the limits, and which hand pulls."""
+
+from math import cos, degrees, radians, sin
+
+from kitemj.drawing.panel import CALL, DIM, LARGE, LEFT, NUMBER, RIGHT, TROUGH, WHITE, Panel
+from kitemj.physics.shaping import StickLaw
+
+SWEEP = 135.0  # deg from the top to a limit; to the right for the right hand
+HUB = (76.0, 60.0)
+OUTER, INNER = 52.0, 36.0
+ASKS = {StickLaw.RATE: "rate", StickLaw.ACCELERATION: "accel."}
+LEVEL = 1e-4  # rad, hands nearer than this are level
+
+
+def paint_knob(
+    panel: Panel, delta: float, wish: float, limit: float, law: StickLaw = StickLaw.ANGLE
+) -> None:
+    """The instrument; δ, what the stick asks for and the limit of both in rad.
+
+    Under another `law` the stick asks for as large a part of that limit.
+    """
+    colour = RIGHT if delta > LEVEL else LEFT if delta < -LEVEL else DIM
+    hand = "RIGHT hand" if delta > LEVEL else "LEFT hand" if delta < -LEVEL else "hands level"
+    actual, asked = _clipped(delta / limit), _clipped(wish / limit)
+    panel.polygon(_band(-1.0, 1.0), TROUGH)
+    if abs(actual) > 1e-3:
+        panel.polygon(_band(min(0.0, actual), max(0.0, actual)), colour)
+    for share in (-1.0, 0.0, 1.0):
+        panel.line([_at(share, INNER - 2), _at(share, OUTER + 4)], DIM, 2)
+    panel.line([_at(actual, 8.0), _at(actual, OUTER)], WHITE, 4)
+    panel.dot(*HUB, 8, WHITE)
+    tip, a, b = _at(asked, INNER - 1), _at(asked, OUTER + 7, -9.0), _at(asked, OUTER + 7, 9.0)
+    panel.polygon([tip, a, b], CALL)
+    x = HUB[0] + OUTER + 26
+    panel.text(hand, x, 24, 20, colour)
+    panel.text(f"δ {degrees(delta):+.2f}°", x, 62, LARGE - 4, WHITE)
+    if law is StickLaw.ANGLE:
+        panel.text(f"asked {degrees(wish):+.1f}°", x, 98, NUMBER - 5, CALL)
+        panel.text(f"±{degrees(limit):.1f}°", panel.width - 12, 98, align=1)
+    else:
+        panel.text(f"asked {wish / limit:+.0%} {ASKS[law]}", x, 98, NUMBER - 5, CALL)
+
+
+def _at(share: float, radius: float, turned: float = 0.0) -> tuple[float, float]:
+    """A point of the dial at `share` -1..1 of the way from the top to a limit."""
+    turn = radians(SWEEP * share + turned)
+    return HUB[0] + radius * sin(turn), HUB[1] - radius * cos(turn)
+
+
+def _band(start: float, end: float) -> list[tuple[float, float]]:
+    """The ring between two shares, as a polygon."""
+    steps = max(round(24 * (end - start)), 2)
+    shares = [start + (end - start) * i / steps for i in range(steps + 1)]
+    return [_at(s, OUTER) for s in shares] + [_at(s, INNER) for s in reversed(shares)]
+
+
+def _clipped(share: float) -> float:
+    return min(max(share, -1.0), 1.0)

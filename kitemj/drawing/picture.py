@@ -1,0 +1,222 @@
+"""One frame: a main view, a small other view, and the instruments over both."""
+
+from math import atan2, cos, radians, sin
+from typing import Any
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from kitemj.closing import Closing
+from kitemj.controls.actions import INSTRUMENTS, VIEWS
+from kitemj.drawing import views
+from kitemj.drawing.gl import open_graphics
+from kitemj.drawing.help_page import paint_help
+from kitemj.drawing.instruments import Instruments
+from kitemj.drawing.readings import Readings
+from kitemj.drawing.scene import Scene
+from kitemj.drawing.scenery import RINGS, ring_step
+from kitemj.drawing.text import put, width
+from kitemj.drawing.trail import paint_trail, seen
+from kitemj.dynamics.motion import Motion
+from kitemj.errors import InputError
+from kitemj.mujoco_import import mujoco
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.vectors import Vector, plus, times
+
+RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0, "top": 38.0}  # deg, right of downwind
+INSET = 0.3  # size of the small view in parts of a frame of 16:9
+TRAIL = 3.0  # px of 720 rows
+CLEAR = 0.5  # spans around the kite without a trail
+
+
+class Picture(Closing):
+    """Paints motions of one parameter set; raises `NoGraphics` where OpenGL is missing.
+
+    A context manager. Any thread may paint, one at a time. `shown` holds the names among
+    INSTRUMENTS of what is painted over the view; anyone may change it between frames.
+    """
+
+    def __init__(self, parameters: Parameters, width: int = 1280, height: int = 720) -> None:
+        """Frames of `width` x `height` pixels; InputError below 320 x 180."""
+        if width < 320 or height < 180:
+            raise InputError(
+                f"a picture of {width} x {height} pixels is too small, at least 320 x 180"
+            )
+        self.parameters, self.width, self.height = parameters, width, height
+        self.shown: set[str] = set(INSTRUMENTS)
+        self._orbit = views.first_orbit(parameters)
+        self._graphics = open_graphics(width, height)
+        self._camera: views.Camera | None = None
+        self._inset_camera: views.Camera | None = None
+        self._scene = Scene(parameters, width, height, self._graphics.software)
+        with self._graphics.context.as_current():
+            self._context: Any = mujoco.MjrContext(
+                self._scene.model, mujoco.mjtFontScale.mjFONTSCALE_100
+            )
+            mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._context)
+        self._instruments = Instruments(parameters, width, height)
+        self._pixels = np.empty((height, width, 3), np.uint8)
+
+    def paint(
+        self, motion: Motion, reference: Motion | None, readings: Readings, view: str = "chase"
+    ) -> NDArray[np.uint8]:
+        """A new frame (height, width, 3), RGB, row 0 on top; `reference` is drawn translucent."""
+        if view not in VIEWS:
+            raise InputError(f"there is no view {view!r}; there are: {', '.join(VIEWS)}")
+        self._camera, self._inset_camera = self._eye(motion, view), None
+        whole = mujoco.MjrRect(0, 0, self.width, self.height)
+        with self._graphics.context.as_current():
+            forces = "forces" in self.shown
+            self._scene.fill(motion, reference, self._camera, self._close(view), forces)
+            mujoco.mjr_render(whole, self._scene.mjv, self._context)
+            if "inset" in self.shown:
+                self._render_inset(motion, reference, view)
+            mujoco.mjr_readPixels(self._pixels, None, whole, self._context)
+        frame = np.ascontiguousarray(self._pixels[::-1])
+        self._letter(frame, motion, readings, view)
+        return frame
+
+    def orbit(self, d_azimuth: float, d_elevation: float) -> None:
+        """Turns the eye of the view "orbit": to the right and up by angles in rad."""
+        self._orbit = self._orbit.turned(d_azimuth, d_elevation)
+
+    def zoom(self, factor: float) -> None:
+        """Takes the eye of the view "orbit" `factor` times nearer."""
+        if not factor > 0:
+            raise InputError(f"zoom must be by a factor > 0, got {factor:g}")
+        self._orbit = self._orbit.zoomed(factor, self.parameters)
+
+    def pixel(self, p_E: Vector) -> tuple[float, float]:
+        """(column, row) of the point `p_E` [m, E] in the main view of the last frame."""
+        if self._camera is None:
+            raise RuntimeError("pixel() needs a painted frame: call paint() first")
+        place = views.pixel(self._camera, p_E, self.width, self.height)
+        return place.column, place.row
+
+    def _eye(self, motion: Motion, view: str) -> views.Camera:
+        if view == "orbit":
+            return views.orbiting(self.parameters, motion, self._orbit)
+        return views.CAMERAS[view](self.parameters, motion)
+
+    def _close(self, view: str) -> bool:
+        """Whether a view is from near the kite."""
+        return view == "chase" or (view == "orbit" and views.near(self.parameters, self._orbit))
+
+    def _letter(
+        self, frame: NDArray[np.uint8], motion: Motion, readings: Readings, view: str
+    ) -> None:
+        """The trail, labels of things in the picture, the instruments, into the frame itself."""
+        size = (self.width, self.height)
+        surface = pygame.image.frombuffer(frame.data, size, "RGB")
+        if readings.traces and "trail" in self.shown:
+            self._trails(surface, readings.traces.trail, motion)
+        if self._inset_camera:
+            pygame.draw.rect(surface, (235, 238, 242), self._inset_rows().inflate(4, 4), 2)
+        self._instruments.paint(surface, motion, readings, self.shown, self._close(view))
+        if self._close(view) and "forces" in self.shown:
+            self._instruments.legend(surface)
+        if "labels" in self.shown:
+            self._labels(surface, motion, view)
+        paint_help(surface, readings.help, self._instruments.u)
+
+    def _trails(self, surface: pygame.Surface, trail: NDArray[np.float64], motion: Motion) -> None:
+        """The trail in both views, up to the kite's tail."""
+        unit, inset = self._instruments.u, self._inset_rows()
+        points = np.concatenate([trail, [motion.body.p_G_E]])
+        # it has no depth: it must not be written across the kite
+        away = np.linalg.norm(points - points[-1], axis=1)
+        clear = away > CLEAR * self.parameters.kite.span
+        whole = surface.get_rect()
+        if self._inset_camera:
+            # the small view is a picture of its own: the large one's trail must not cross it
+            kept = surface.subsurface(inset).copy()
+        if self._camera:
+            places, usable = seen(self._camera, points, whole)
+            paint_trail(surface, places, usable & clear, whole, TRAIL * unit)
+        if self._inset_camera:
+            surface.blit(kept, inset)
+            few = slice(None, None, -3)  # enough for a small picture
+            places, usable = seen(self._inset_camera, points[few][::-1], inset)
+            paint_trail(surface, places, usable & clear[few][::-1], inset, 2 * unit)
+
+    def _labels(self, surface: pygame.Surface, motion: Motion, view: str) -> None:
+        """The wind's speed at its arrow, the rings' distances; where there is room."""
+        close = self._close(view)
+        taken = self._instruments.taken()
+        if self._inset_camera:
+            taken.append(self._inset_rows())
+        tail, tip = self._scene.wind_arrow(motion, close)
+        aside, below, align = (0.0, 34.0, 0.5) if close else (-20.0, 0.0, 1.0)
+        if view == "side":  # where the pilot stands beside the arrow's tail
+            aside, below, align = 0.0, 34.0, 0.0
+        wind = self._instruments.wind_text(motion)
+        if not self._label(surface, tail, wind, 20, (aside, below), align, taken):
+            middle = times(0.5, plus(tail, tip))
+            self._label(surface, middle, wind, 20, (44.0, 14.0), 0.0, taken)
+        step = ring_step(self.parameters.lines.length)
+        for k in range(1, RINGS + 1):
+            place = times(k * step, self._ring_direction(view))
+            self._label(surface, place, f"{k * step:g} m", 18, (0.0, -15.0), 0.5, taken)
+
+    def _ring_direction(self, view: str) -> Vector:
+        """Where around O_E the rings have their labels: beside what matters."""
+        assert self._camera is not None
+        free = view in ("chase", "orbit")
+        ahead = self._camera.forward if free else views.downwind(self.parameters)
+        bearing = atan2(ahead.y, ahead.x) + radians(RING_LABELS.get(view, 4.0))
+        return Vector(cos(bearing), sin(bearing), 0.0)
+
+    def _label(
+        self,
+        surface: pygame.Surface,
+        p_E: Vector,
+        text: str,
+        size: float,
+        offset: tuple[float, float],
+        align: float,
+        taken: list[pygame.Rect],
+    ) -> bool:
+        """`text` beside where the point `p_E` [m, E] is in the main view, if nothing is there.
+
+        `taken` are the places of other things [px]; this one is added. Returns whether it is.
+        """
+        assert self._camera is not None
+        unit = self._instruments.u
+        place = views.pixel(self._camera, p_E, self.width, self.height)
+        column, row = place.column + offset[0] * unit, place.row + offset[1] * unit
+        if place.depth <= 0 or not (abs(column) < 1e5 and abs(row) < 1e5):
+            return False
+        wide, tall = width(text, size * unit), round(1.3 * size * unit)
+        box = pygame.Rect(round(column - align * wide), round(row - tall / 2), wide, tall)
+        near = box.inflate(8 * unit, 0)
+        if near.collidelist(taken) >= 0 or not surface.get_rect().contains(box):
+            return False
+        put(surface, text, column, row, size * unit, align=align)
+        taken.append(box)
+        return True
+
+    def _inset_rows(self) -> pygame.Rect:
+        """Where the small view is, in the frame's pixels."""
+        unit = self._instruments.u
+        w, h, margin = int(INSET * 1280 * unit), int(INSET * 720 * unit), int(12 * unit)
+        return pygame.Rect(self.width - w - margin, margin, w, h)
+
+    def _render_inset(self, motion: Motion, reference: Motion | None, view: str) -> None:
+        """The kite from near where the main view is far; else all of it from the pilot."""
+        other = "pilot" if self._close(view) else "chase"
+        camera = views.CAMERAS[other](self.parameters, motion)
+        self._inset_camera = camera
+        self._scene.fill(motion, reference, camera, other == "chase", "forces" in self.shown)
+        rows = self._inset_rows()
+        bottom = self.height - rows.bottom  # OpenGL counts rows from below
+        corner = mujoco.MjrRect(rows.left, bottom, rows.width, rows.height)
+        mujoco.mjr_render(corner, self._scene.mjv, self._context)
+
+    def close(self) -> None:
+        """Gives the OpenGL context back; may be called twice."""
+        if self._context is not None:
+            with self._graphics.context.as_current():
+                self._context.free()
+            self._context = None
+            self._graphics.context.free()

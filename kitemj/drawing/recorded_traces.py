@@ -1,0 +1,67 @@
+"""What instruments remember, out of a recording: right at once wherever its slider is put."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.drawing.alarms import HELD, alarm_at
+from kitemj.drawing.history import (
+    CHART_COLUMNS,
+    CHART_SPAN,
+    TRAIL_POINTS,
+    TRAIL_STEP,
+    Traces,
+    twist_angle,
+)
+from kitemj.recording.file import Recording
+from kitemj.recording.table import LIMITS
+from kitemj.recording.track import Track
+
+TWIST_STEP = 0.1
+"""s between looks at the lines' twist; no kite turns by half a turn meanwhile."""
+
+
+class RecordedTraces:
+    """The traces at any row of a recording."""
+
+    def __init__(self, recording: Recording, track: Track) -> None:
+        columns, tick = recording.columns, recording.header.tick
+        self._recording, self._track, self._tick = recording, track, tick
+        self._places = np.column_stack([columns[name] for name in ("x_E_m", "y_E_m", "z_E_m")])
+        self._beyond = np.logical_or.reduce([columns[name] for name in LIMITS])
+        self._every = max(1, round(TRAIL_STEP / tick))
+        self._looks = max(1, round(TWIST_STEP / tick))
+        self._starts = np.array([episode.start for episode in recording.episodes])
+        self._twists = [self._twists_of(episode) for episode in recording.episodes]
+
+    def at(self, row: int) -> Traces:
+        """What is to be shown at `row`."""
+        episode = int(np.searchsorted(self._starts, row, side="right")) - 1
+        start = int(self._starts[episode])
+        first = max(start, row - self._every * (TRAIL_POINTS - 1))
+        trail = self._places[row : first - 1 if first else None : -self._every][::-1].copy()
+        twist = float(self._twists[episode][(row - start) // self._looks])
+        alarm = None
+        recent = np.flatnonzero(
+            self._beyond[max(0, row - round(HELD / self._tick)) : row + 1][::-1]
+        )
+        if len(recent):
+            motion = self._track.motion(row - int(recent[0]))
+            found = alarm_at(self._recording.parameters, motion) if motion else None
+            alarm = found._replace(age=int(recent[0]) * self._tick) if found else None
+        unseen = np.full(CHART_COLUMNS, np.nan)
+        return Traces(trail, twist, self._lateness(row), unseen, alarm)
+
+    def _lateness(self, row: int) -> NDArray[np.float64]:
+        """The longest in each part of the last CHART_SPAN."""
+        share = max(1, round(CHART_SPAN / self._tick / CHART_COLUMNS))
+        values = np.full(share * CHART_COLUMNS, np.nan)
+        known = self._recording.columns["lateness_s"][: row + 1][-len(values) :]
+        values[len(values) - len(known) :] = known
+        parts = values.reshape(CHART_COLUMNS, share)
+        return np.asarray(np.fmax.reduce(parts, axis=1))
+
+    def _twists_of(self, episode: slice) -> NDArray[np.float64]:
+        rows = range(episode.start, episode.stop, self._looks)
+        motions = [self._track.motion(row) for row in rows]
+        angles = [twist_angle(self._track.parameters, motion) for motion in motions if motion]
+        return np.asarray(np.unwrap(angles))

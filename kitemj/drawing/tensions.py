@@ -1,0 +1,60 @@
+"""What each line pulls, against its ceiling; a slack line says so in place of its bar.
+
+The bar grows with the square root of the tension: a line that is about to go slack and one
+that is about to break are both seen. Marks stand at 1/16, 1/4, 9/16 and all of the ceiling.
+"""
+
+from math import sqrt
+
+from kitemj.drawing.panel import (
+    BAD,
+    CALL,
+    INK,
+    LARGE,
+    LEFT,
+    NOW,
+    NUMBER,
+    RIGHT,
+    TROUGH,
+    WHITE,
+    Panel,
+)
+from kitemj.dynamics.motion import Motion, attachment_E
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.vectors import norm
+
+BAR = 74.0  # where it begins
+ROOM = 206.0  # how long it is
+SLACK = 1e-3  # m that a line is longer than its distance
+
+
+def paint_tensions(panel: Panel, parameters: Parameters, motion: Motion, alarm: int) -> None:
+    """The instrument."""
+    ceiling = parameters.limits.tension_max
+    panel.text("LINES", 12, 20)
+    panel.text(f"{ceiling / 4:.0f}", BAR + ROOM / 2, 20, align=0.5)
+    panel.text(f"max {ceiling:.0f} N", BAR + ROOM - 44, 20)
+    for i, (name, colour, side) in enumerate((("left", LEFT, 1.0), ("right", RIGHT, -1.0))):
+        row, tension = 52 + 40 * i, motion.tensions[i]
+        hangs = motion.lengths[i] - norm(attachment_E(parameters, motion.body, side))
+        slack, over = tension <= 0.0 or hangs > SLACK, tension > ceiling
+        wrong = alarm == NOW and (slack or over)
+        panel.text(name, 12, row, colour=WHITE if alarm == NOW else colour)
+        panel.bar(BAR, row - 13, ROOM, 26, TROUGH)
+        if slack:
+            panel.bar(BAR, row - 13, ROOM, 26, CALL)
+            panel.text(f"SLACK  {max(hangs, 0.0):.2f} m", BAR + ROOM / 2, row, 18, INK, 0.5)
+        else:
+            share = min(sqrt(max(tension, 0.0) / ceiling), 1.0)
+            panel.bar(BAR, row - 13, share * ROOM, 26, BAD if over else colour)
+        for quarter in (1, 2, 3, 4):
+            tall = 32 if quarter == 4 else 8
+            panel.bar(BAR + quarter / 4 * ROOM - 1, row + 16 - tall, 2, tall, WHITE)
+        value = f"{tension:.1f} N" if abs(tension) < 99.95 else f"{tension:.0f} N"
+        panel.text(
+            value, panel.width - 10, row, LARGE - 2 if wrong else NUMBER, _shade(slack, over), 1
+        )
+
+
+def _shade(slack: bool, over: bool) -> tuple[int, int, int]:
+    return CALL if slack or over else WHITE

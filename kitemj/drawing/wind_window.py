@@ -1,0 +1,116 @@
+"""The wind window: the quarter-sphere of the lines as the pilot sees it, the kite and its trail.
+
+An equidistant projection about the downwind direction: the distance from the middle of the
+ground line is the angle from the wind, so the rim is the edge of the window and a kite that
+overflies it is seen outside. Left is the pilot's left.
+"""
+
+from math import acos, cos, degrees, hypot, pi, radians, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.drawing.panel import CALL, DIM, LEFT, QUIET, RIGHT, WHITE, Panel
+from kitemj.drawing.text import Colour
+from kitemj.drawing.trail import paint_trail
+from kitemj.drawing.views import UP, downwind
+from kitemj.dynamics.motion import Motion
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.vectors import Vector, cross, dot, norm, plus, times
+
+WIDTH, HEIGHT = 292, 172
+FOOT = (146.0, 144.0)  # of the pilot: the middle of the ground line
+RADIUS = 124.0  # of the rim, 90° from the wind
+SKY: Colour = (38, 62, 92)
+GRID: Colour = (92, 118, 148)
+EARTH: Colour = (108, 140, 84)
+WING = 14.0  # half the kite's width
+
+
+class WindWindow:
+    """For one parameter set; places are in units of the panel."""
+
+    def __init__(self, parameters: Parameters) -> None:
+        wind = downwind(parameters)
+        self._wind, self._left = wind, cross(UP, wind)
+        self._sky = [_polar(radians(a), 1.0) for a in range(0, 181, 6)]
+        self._grid = [self._circle(elevation=e) for e in (30, 60)]
+        self._grid += [self._circle(azimuth=a) for a in (-60, -30, 0, 30, 60)]
+
+    def place(self, p_E: Vector) -> tuple[float, float]:
+        """Where the point `p_E` [m, E] is in the panel."""
+        size = max(norm(p_E), 1e-9)
+        ahead, left, up = (dot(p_E, axis) / size for axis in (self._wind, self._left, UP))
+        away = acos(min(max(ahead, -1.0), 1.0)) / (pi / 2)
+        flat = max(hypot(left, up), 1e-12)
+        x, y = FOOT
+        return x - RADIUS * away * left / flat, y - RADIUS * away * up / flat
+
+    def places(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The same for many points (n, 3): (n, 2)."""
+        axes = np.array([self._wind, self._left, UP])
+        size = np.maximum(np.linalg.norm(points, axis=1), 1e-9)
+        ahead, left, up = axes @ points.T / size
+        away = np.arccos(np.clip(ahead, -1.0, 1.0)) / (np.pi / 2)
+        share = RADIUS * away / np.maximum(np.hypot(left, up), 1e-12)
+        return np.stack([FOOT[0] - share * left, FOOT[1] - share * up], axis=1)
+
+    def paint(self, panel: Panel, motion: Motion, trail: NDArray[np.float64]) -> None:
+        """The instrument; `trail` (n, 3) [m, E], oldest first."""
+        panel.ground(QUIET)
+        panel.polygon(self._sky, SKY)
+        for line in self._grid:
+            panel.line(line, GRID, 1)
+        panel.line(self._sky, DIM, 2)
+        panel.bar(8, FOOT[1], WIDTH - 16, 4, EARTH)
+        panel.text("left", 8, FOOT[1] + 17, colour=LEFT)
+        panel.text("right", WIDTH - 8, FOOT[1] + 17, colour=RIGHT, align=1)
+        panel.text("wind window", FOOT[0] - 8, FOOT[1] + 17, align=0.5)
+        box = panel.rect(0, 0, WIDTH, HEIGHT)
+        if len(trail):
+            trail = trail[::-3][::-1]  # enough for a small picture
+            places = np.array([panel.x, panel.y]) + panel.unit * self.places(trail)
+            paint_trail(panel.surface, places, np.full(len(trail), True), box, 3 * panel.unit)
+        self._paint_kite(panel, motion)
+
+    def _paint_kite(self, panel: Panel, motion: Motion) -> None:
+        """A dot with a red and a blue wing, turned as the kite is."""
+        G = motion.body.p_G_E
+        x, y = self.place(G)
+        x, y = min(max(x, 14.0), WIDTH - 14.0), min(max(y, 14.0), FOOT[1] + 6)
+        ahead = self.place(plus(G, times(1e-3 * max(norm(G), 1.0), motion.body.R_BE.y)))
+        behind = self.place(plus(G, times(-1e-3 * max(norm(G), 1.0), motion.body.R_BE.y)))
+        dx, dy = ahead[0] - behind[0], ahead[1] - behind[1]
+        size = max(hypot(dx, dy), 1e-9)
+        dx, dy = WING * dx / size, WING * dy / size
+        panel.line([(x, y), (x + dx, y + dy)], LEFT, 6)
+        panel.line([(x, y), (x - dx, y - dy)], RIGHT, 6)
+        panel.dot(x, y, 5, WHITE if motion.body.p_G_E.z < 0 else CALL)
+
+    def _circle(
+        self, elevation: float | None = None, azimuth: float = 0.0
+    ) -> list[tuple[float, float]]:
+        """A line of equal elevation, or else of equal azimuth [deg]."""
+        turns = range(-90, 91, 6) if elevation is not None else range(0, 91, 6)
+        points = []
+        for turn in turns:
+            a, e = (turn, elevation) if elevation is not None else (azimuth, turn)
+            points.append(self.place(self._direction(radians(a), radians(e))))
+        return points
+
+    def _direction(self, azimuth: float, elevation: float) -> Vector:
+        """Unit vector [E]; `azimuth` [rad] positive to the pilot's left."""
+        level = plus(times(cos(azimuth), self._wind), times(sin(azimuth), self._left))
+        return plus(times(cos(elevation), level), times(sin(elevation), UP))
+
+
+def bearing(parameters: Parameters, p_E: Vector) -> tuple[float, float]:
+    """Azimuth (from downwind, positive to the pilot's left) and elevation [deg] from O_E."""
+    wind = downwind(parameters)
+    ahead, left = dot(p_E, wind), dot(p_E, cross(UP, wind))
+    return degrees(np.arctan2(left, ahead)), degrees(np.arctan2(-p_E.z, hypot(ahead, left)))
+
+
+def _polar(turn: float, share: float) -> tuple[float, float]:
+    x, y = FOOT
+    return x + share * RADIUS * cos(turn), y - share * RADIUS * sin(turn)

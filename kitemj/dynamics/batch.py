@@ -1,0 +1,77 @@
+"""A whole flight in one compiled call: a row of numbers at each time, no Python in between.
+
+Any model takes part that registers two formulas for its flight (a ``NamedTuple`` of all that
+its compiled functions need): how it is carried on in time, and what it is at an instant.
+"""
+
+from math import isfinite
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.dynamics.motion import HULL, Motion
+from kitemj.physics.compiled import compiled, law
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.vectors import Vector, plus, unrotated
+
+Array = NDArray[np.float64]
+
+X, Y, Z, TENSION_PLUS, TENSION_MINUS, ALPHA, BETA, CLEARANCE = range(8)
+"""Columns of a survey: G [m, E], tensions [N], angles [rad], lowest corner above ground [m]."""
+COLUMNS = 8
+
+
+def _carry(flight: Any, t: float, end: float) -> float:
+    """Takes `flight` from time `t` to `end` [s]; the time that was reached."""
+    raise NotImplementedError
+
+
+def _present(flight: Any, t: float) -> Motion:
+    """`flight` at its present time `t` [s]."""
+    raise NotImplementedError
+
+
+carry, carry_law = law(_carry)
+present, present_law = law(_present)
+
+
+@compiled
+def clearance(parameters: Parameters, motion: Motion) -> float:
+    """Height [m] above ground of the lowest corner of the kite's hull."""
+    kite, body = parameters.kite, motion.body
+    lowest = np.inf
+    for a in (-0.5, 0.5):
+        for b in (-0.5, 0.5):
+            for c in (-HULL, HULL):
+                corner_B = Vector(a * kite.chord, b * kite.span, c)
+                height = -plus(body.p_G_E, unrotated(body.R_BE, corner_B)).z
+                lowest = min(lowest, height)
+    return lowest
+
+
+@compiled
+def fill_rows(flight: Any, parameters: Parameters, times: Array, touch: float, rows: Array) -> int:
+    """Flies from 0 s through `times` (n,) [s], ascending; fills `rows` (n, `COLUMNS`).
+
+    Returns how many rows hold: fewer than n where the numbers left the finite (the next row
+    is the first that does not hold) or where the kite came lower than `touch` [m] (the last
+    row that holds is there).
+    """
+    t = 0.0
+    for i in range(len(times)):
+        if times[i] > t:
+            if carry(flight, t, times[i]) < times[i]:
+                return i
+            t = times[i]
+        motion = present(flight, t)
+        row, body = rows[i], motion.body
+        row[X], row[Y], row[Z] = body.p_G_E.x, body.p_G_E.y, body.p_G_E.z
+        row[TENSION_PLUS], row[TENSION_MINUS] = motion.tensions.plus, motion.tensions.minus
+        row[ALPHA], row[BETA] = motion.air.alpha, motion.air.beta
+        row[CLEARANCE] = clearance(parameters, motion)
+        if not (isfinite(row[X]) and isfinite(row[TENSION_PLUS])):
+            return i
+        if row[CLEARANCE] < touch:
+            return i + 1
+    return len(times)

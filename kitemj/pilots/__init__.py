@@ -1,0 +1,1 @@
+"""Who steers, and what is told them: pilots, lessons, a course, how a flight met the ground."""

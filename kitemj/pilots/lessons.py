@@ -1,0 +1,277 @@
+"""The lessons of a first flight: each watches the kite and says the one thing to do next.
+
+A lesson knows nothing of crashes, restarts or the other lessons; `course.py` does.
+"""
+
+from math import asin, cos, degrees, pi, radians, sin
+from typing import NamedTuple, Protocol
+
+from kitemj.pilots.advice import (
+    LEFT,
+    MORE,
+    RIGHT,
+    SOME,
+    WORDS,
+    Advice,
+    Held,
+    Observation,
+    completed,
+    danger,
+    stick,
+    up,
+)
+
+
+class Lesson(Protocol):
+    """One attempt at one lesson."""
+
+    def watch(self, look: Observation) -> Advice:
+        """To be told of every tick or frame, in order."""
+
+
+STEADY = 1.0
+"""s; a nose that points up for so long does so not by accident."""
+
+
+class Top:
+    """From the side to the top of the window without delay, and held there.
+
+    A kite that is left alone comes back too, but slowly.
+    """
+
+    def __init__(self, rest: float) -> None:
+        """`rest` [rad]: the elevation of a kite that stands still at the top."""
+        self._rest, self._held = rest, Held()
+        self._out: float | None = None  # when it was last out at the side
+        self._home = False
+
+    def watch(self, look: Observation) -> Advice:
+        """Out, home in time, held."""
+        t, azimuth = look.motion.t, degrees(abs(look.sight.azimuth))
+        high = look.sight.elevation > self._rest - radians(DEEP)
+        if azimuth > OUT:
+            self._out, self._home = t, False
+        late = self._out is None or t - self._out > IN_TIME
+        if azimuth < HOME and high and not late:
+            self._home = True
+        held = self._held.look(self._home and azimuth < NEAR and high, t)
+        way = 0.0 if late else max(0.0, 1 - azimuth / OUT)
+        progress = 0.3 + 0.7 * min(held / HOLD, 1.0) if self._home else 0.3 * way
+        advice = danger(look) or self._advice(look, late, HOLD - held)
+        return advice._replace(progress=progress)
+
+    def _advice(self, look: Observation, late: bool, left: float) -> Advice:
+        climb = up(look)
+        if self._home:
+            rest = f"Hold it at the top: {max(left, 0.0):.0f} s more"
+            text = f"{climb.text}: the nose must point up" if climb.push else rest
+            return climb._replace(text=text)
+        if late:
+            side = LEFT if look.sight.azimuth < 0 else RIGHT
+            text = f"Push the stick a little {WORDS[side]}: out to the side first, then come back"
+            return Advice(text, SOME * side)
+        return completed(climb, "until the nose points up and to the middle", "the kite flies home")
+
+
+OUT, HOME, NEAR, DEEP = 30.0, 10.0, 15.0, 10.0
+"""deg: of azimuth, out at the side, home, near enough to home; of elevation, too low."""
+IN_TIME = 3.5
+"""s from OUT to HOME; a kite that is left alone takes 5.5 s in 5 m/s, more in more."""
+HOLD = 5.0
+"""s."""
+
+
+class Turn:
+    """The nose to one side and off that way, then up again."""
+
+    def __init__(self, side: float) -> None:
+        self._side, self._held = side, Held()
+        self._aside = self._spun = False
+
+    def watch(self, look: Observation) -> Advice:
+        """Turned, away from the middle, upright; what swings after a loop is no turn."""
+        nose = self._side * degrees(look.turned) / NOSE
+        away = self._side * degrees(look.sight.azimuth) / AWAY
+        held = self._held.look(look.upright, look.motion.t)
+        self._spun = abs(nose) > ROUND or (self._spun and held < STEADY)
+        self._aside = not self._spun and (self._aside or min(nose, away) >= 1)
+        parts = max(0.0, min(nose, 1.0)) + max(0.0, min(away, 1.0))
+        progress = 0.6 + 0.4 * min(held / STEADY, 1.0) if self._aside else 0.3 * parts
+        advice = danger(look) or (self._back(look) if self._aside else self._off(look))
+        return advice._replace(progress=progress)
+
+    def _off(self, look: Observation) -> Advice:
+        side, name = self._side, WORDS[self._side]
+        advice = stick(look, side * AIM, side * pi / 4)
+        if advice.push * side < 0:
+            return advice._replace(text=f"{advice.text}: the nose has turned too far")
+        return completed(advice, f"until the nose points {name}", f"the kite flies {name}")
+
+    def _back(self, look: Observation) -> Advice:
+        advice = completed(up(look), "until the nose points up", "the nose is coming up")
+        return advice._replace(text=f"Well turned. {advice.text}")
+
+
+NOSE, AWAY = 45.0, 15.0
+"""deg; of the nose from up, of the kite from the middle."""
+ROUND = 4.5
+"""In parts of NOSE: more is no turn but a loop."""
+AIM = radians(65.0)
+"""Of the nose."""
+
+
+class Loop:
+    """All the way round to one side, then upright again."""
+
+    def __init__(self, side: float) -> None:
+        self._side, self._held, self._looped = side, Held(), False
+
+    def watch(self, look: Observation) -> Advice:
+        """Round, upright."""
+        share = self._side * look.turned / (2 * pi)
+        self._looped |= share > LOOPED
+        held = self._held.look(self._looped and look.upright, look.motion.t)
+        if self._looped:
+            return self._after(look)._replace(progress=0.8 + 0.2 * min(held / STEADY, 1.0))
+        progress = 0.8 * max(0.0, min(share / LOOPED, 1.0))
+        return self._round(look, share)._replace(progress=progress)
+
+    def _round(self, look: Observation, share: float) -> Advice:
+        side, name = self._side, WORDS[self._side]
+        if share > RELEASE:
+            return Advice("Let go now: the rest of the loop comes by itself", 0.0)
+        if share > STARTED:
+            return Advice(f"Keep it {name}: the nose goes all the way round", side)
+        if share < -STARTED:
+            return Advice(f"That is the other way: push the stick {name}", MORE * side)
+        if degrees(look.sight.elevation) < ROOM:
+            climb = up(look)
+            return climb._replace(text=f"A loop needs room. {climb.text}: climb first")
+        return Advice(f"Push the stick fully {name} and keep it there", side)
+
+    def _after(self, look: Observation) -> Advice:
+        advice = completed(up(look), "until the nose points up", "the nose is coming up")
+        return danger(look) or advice._replace(text=f"All the way round! {advice.text}")
+
+
+LOOPED, RELEASE, STARTED = 0.9, 0.65, 0.1
+"""Of a turn; who lets go a quarter of a second after being told to is round by then."""
+ROOM = 40.0
+"""deg of elevation that a loop begins above."""
+
+
+class Crossing(NamedTuple):
+    """Of the middle, at `t` [s], to which side; `twist` in turns of the nose to the right."""
+
+    t: float
+    side: float
+    twist: float
+
+
+class Eight:
+    """Across the middle, back, and across again: what one turn twists the other untwists."""
+
+    def __init__(self) -> None:
+        self._side = 0.0  # of the middle, where it was last
+        self._reach = 0.0  # deg; how far out since it crossed the middle
+        self._crossings: list[Crossing] = []
+
+    def watch(self, look: Observation) -> Advice:
+        """Three crossings of the middle, well out in between, lines as they were."""
+        # an azimuth would not do: near the top it is large for the least of a wiggle
+        aside = degrees(asin(cos(look.sight.elevation) * sin(look.sight.azimuth)))
+        side = RIGHT if aside > 0 else LEFT
+        if self._side and side != self._side:
+            self._cross(side, look)
+        self._side, self._reach = side, max(self._reach, abs(aside))
+        crossings = self._crossings
+        untwisted = abs(crossings[-1].twist - crossings[0].twist) < 0.25 if crossings else False
+        if len(crossings) == 3 and untwisted:
+            return Advice("An eight", 0.0, 1.0)
+        parts = len(crossings) + min(self._reach / WIDE, 1.0)
+        advice = danger(look) if look.falling else None
+        return (advice or self._advice(look))._replace(progress=min(parts / 4, 0.95))
+
+    def _cross(self, side: float, look: Observation) -> None:
+        new = Crossing(look.motion.t, side, look.twist)
+        if self._reach < WIDE:
+            self._crossings = []
+        elif self._crossings and new.t - self._crossings[-1].t > LAZY:
+            self._crossings = [new]
+        else:
+            self._crossings = [*self._crossings, new][-3:]
+        self._reach = 0.0
+
+    def _advice(self, look: Observation) -> Advice:
+        back = self._reach > BACK
+        outward = self._side if self._reach > STRAY else RIGHT
+        way = -self._side if back else outward
+        dive = 2.0 * (look.sight.elevation - radians(CROSSED))
+        advice = stick(look, way * (pi / 2 + max(-DIVE, min(DIVE, dive))), way * pi / 2)
+        name = WORDS[way]
+        if len(self._crossings) == 3:
+            text = f"That was a circle, not an eight. {advice.text}, back to the {name}"
+            return advice._replace(text=text)
+        if advice.push * way < 0:
+            return advice._replace(text=f"{advice.text}: the nose has turned too far")
+        over = "comes over the top and points" if back else "points"
+        return completed(advice, f"until the nose {over} {name}", f"across to the {name}")
+
+
+WIDE, BACK, STRAY = 11.0, 15.0, 2.0
+"""deg from the middle, on the sky: less is a wiggle; where one turns; what is no side yet."""
+CROSSED = 38.0
+"""deg of elevation at which the middle is crossed."""
+DIVE = radians(25.0)
+"""Of the nose below or above the horizontal on the way across."""
+LAZY = 15.0
+"""s between crossings; who takes longer has drifted."""
+
+
+class Landing:
+    """Softly to the ground, which is only to be had at the edge of the window."""
+
+    def __init__(self) -> None:
+        self._side, self._flew = RIGHT, False
+
+    def watch(self, look: Observation) -> Advice:
+        """A gentle touch after a flight; a kite found lying on the ground has not landed."""
+        if look.touch and look.touch.gentle and self._flew:
+            return Advice("Landed", 0.0, 1.0)
+        self._flew |= look.touch is None
+        azimuth, elevation = degrees(look.sight.azimuth), degrees(look.sight.elevation)
+        if self._side * azimuth < -OUT:  # the other edge is nearer
+            self._side = -self._side
+        way, high = self._side * azimuth / EDGE, min(max(elevation / EDGE, 0.0), 1.0)
+        if way < 1:
+            return self._out(look)._replace(progress=0.6 * max(way, 0.0))
+        return self._down(look)._replace(progress=0.95 - 0.35 * high)
+
+    def _out(self, look: Observation) -> Advice:
+        if look.falling:
+            climb = up(look)
+            return climb._replace(text=f"Not so steep! {climb.text}, until the nose points up")
+        name, advice = WORDS[self._side], self._sinking(look, WAY)
+        if advice.push * self._side < 0:
+            return advice._replace(text=f"{advice.text}: the nose is too low")
+        return completed(advice, f"until the nose points {name}", f"it flies {name}, to the edge")
+
+    def _down(self, look: Observation) -> Advice:
+        advice = self._sinking(look, 0.0)
+        if advice.push:
+            lower = advice.push * self._side > 0
+            why = "the nose a little lower" if lower else "raise the nose, it sinks too fast"
+            return advice._replace(text=f"{advice.text}: {why}")
+        return advice._replace(text="Let go: at the edge it sinks softly by itself")
+
+    def _sinking(self, look: Observation, to: float) -> Advice:
+        """Out of the window, the nose as far below the horizontal as it is above `to` [deg]."""
+        below = 0.6 * (look.sight.elevation - radians(to))
+        below = max(-CLIMB, min(SINK, below))
+        return stick(look, self._side * (pi / 2 + below), self._side * pi / 4)
+
+
+EDGE, WAY = 64.0, 28.0
+"""deg: azimuth beyond which the pull fades; elevation of the way there."""
+SINK, CLIMB = 0.2, 0.5
+"""rad; of the nose below and above the horizontal, at most. Steeper is no landing any more."""

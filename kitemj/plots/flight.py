@@ -1,0 +1,138 @@
+"""One flight as columns, wherever it came from: what every figure is drawn of."""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.dynamics.motion import Motion
+from kitemj.errors import InputError
+from kitemj.flight.limits import touches_ground
+from kitemj.flight.motion_table import COLUMNS
+from kitemj.flight.simulate import Simulation
+from kitemj.physics.parameters import Parameters
+from kitemj.recording.file import REASONS, Recording
+from kitemj.recording.table import LIMITS, MOTION, Columns, beyond, motion_row
+
+Array = NDArray[np.float64]
+AIR_AND_LINES = ("alpha_deg", "beta_deg", "tension_plus_N", "tension_minus_N")
+"""What the limits of validity are about."""
+
+
+class Departure(NamedTuple):
+    """The first moment [s] outside the limits of validity, and which of them, in words."""
+
+    t: float
+    reason: str
+
+    def __str__(self) -> str:
+        """When and why."""
+        return f"{self.t:.2f} s: {self.reason}"
+
+
+class Flight(NamedTuple):
+    """Columns of shape (rows,), named and in units as in a recording; `t_s` rises.
+
+    `name` is what titles call the flight. Not all columns of a recording must be there.
+    """
+
+    name: str
+    parameters: Parameters
+    columns: Columns
+
+    @property
+    def t(self) -> Array:
+        """Times [s]; InputError where there are none."""
+        return self.column("t_s", "every figure")
+
+    def column(self, name: str, purpose: str) -> Array:
+        """The column called `name`; InputError where it lacks (and what has it), or holds gaps."""
+        if name not in self.columns:
+            raise InputError(
+                f"{self.name} lacks the column {name}, needed for {purpose}; {_has(name)}"
+            )
+        column = self.columns[name]
+        if column.dtype.kind not in "fiub":
+            raise InputError(f"{self.name} holds text in the column {name}, where numbers must be")
+        numbers = np.asarray(column, np.float64)
+        if not np.isfinite(numbers).all():
+            row = int(np.argmin(np.isfinite(numbers))) + 1
+            raise InputError(f"{self.name} holds no number in the column {name}, row {row}")
+        return numbers
+
+    def matrix(self, names: Sequence[str], purpose: str) -> Array:
+        """Several columns side by side, shape (rows, names)."""
+        return np.column_stack([self.column(name, purpose) for name in names])
+
+    @property
+    def beyond(self) -> dict[str, NDArray[np.bool_]]:
+        """Which rows are beyond which limit of validity; empty where columns lack to tell."""
+        if not set(AIR_AND_LINES) <= set(self.columns):
+            return {}
+        known = {name: self.column(name, "the limits") for name in AIR_AND_LINES}
+        told = beyond(self.parameters, known)
+        if "ground" in self.columns:
+            told["ground"] = np.asarray(self.columns["ground"], np.bool_)
+        return {name: told[name] for name in LIMITS if name in told}
+
+    @property
+    def any_beyond(self) -> NDArray[np.bool_]:
+        """Which rows are beyond any of them, shape (rows,)."""
+        beyond = np.zeros(len(self.t), np.bool_)
+        for rows in self.beyond.values():
+            beyond |= rows
+        return beyond
+
+    @property
+    def departure(self) -> Departure | None:
+        """None: within all limits, or nothing is known of them."""
+        beyond = self.any_beyond
+        if not beyond.any():
+            return None
+        row = int(np.argmax(beyond))
+        reasons = [REASONS[name] for name, outside in self.beyond.items() if outside[row]]
+        return Departure(float(self.t[row]), " and ".join(reasons))
+
+    @property
+    def parts(self) -> tuple[slice, slice]:
+        """Rows up to the first that is beyond a limit, and from that one on."""
+        beyond = self.any_beyond
+        first = int(np.argmax(beyond)) if beyond.any() else len(beyond)
+        return slice(0, first + 1), slice(first, None)
+
+    @property
+    def down(self) -> int:
+        """The row at which it touches the ground; the number of rows if it never does."""
+        touches = np.flatnonzero(self.beyond.get("ground", ()))
+        return int(touches[0]) if len(touches) else len(self.t)
+
+
+def flight_of_motions(name: str, parameters: Parameters, motions: Sequence[Motion]) -> Flight:
+    """A flight given as motions of any model."""
+    numbers = np.array([motion_row(motion) for motion in motions]).reshape(-1, len(MOTION))
+    columns: dict[str, NDArray[Any]] = dict(zip(MOTION, numbers.T.copy(), strict=True))
+    columns["ground"] = np.array([touches_ground(parameters, motion) for motion in motions])
+    return Flight(name, parameters, columns)
+
+
+def flight_of_simulation(simulation: Simulation) -> Flight:
+    """A scenario that was simulated."""
+    name = f"{simulation.scenario.source}, {simulation.model}"
+    return flight_of_motions(name, simulation.scenario.parameters, simulation.motions)
+
+
+def flight_of_recording(recording: Recording, episode: int = 0) -> Flight:
+    """Flight `episode` (from 0) of a recording, from its start even where it went back in time."""
+    rows, count = recording.way_to(recording.episodes[episode]), len(recording.episodes)
+    columns = {name: column[rows] for name, column in recording.columns.items()}
+    number = f", flight {episode + 1} of {count}" if count > 1 else ""
+    name = f"{recording.path.name}, {recording.header.model}{number}"
+    return Flight(name, recording.parameters, columns)
+
+
+def _has(column: str) -> str:
+    """What would have the column."""
+    if column in COLUMNS:
+        return "the tables of kitemj simulate and kitemj replay --export have it"
+    return "a recording, its table (kitemj replay --export) and a scenario have it"

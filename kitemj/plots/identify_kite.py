@@ -1,0 +1,76 @@
+"""Which kite flew a table: a table has no parameters, but its lines end at the attachments."""
+
+from pathlib import Path
+
+import numpy as np
+
+from kitemj.dynamics.motion import Body, attachment_E
+from kitemj.errors import InputError
+from kitemj.flight.scenario import read_scenario
+from kitemj.physics.frames import R_BE, Angles
+from kitemj.physics.parameter_files import parameter_set, set_names
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.vectors import Vector, norm
+from kitemj.plots.flight import Array, Flight
+
+FITS = 1e-3
+"""m; far above what a model leaves between a taut line and its attachment, far below any kite."""
+STYLES = 200
+DEFAULT = "laksa"
+"""Tried first; `thesis` has the same attachments and the same limits."""
+
+POSE = ("phi_rad", "gamma_rad", "eta_rad", "theta_rad", "x_E_m", "y_E_m", "z_E_m")
+TENSIONS, LENGTHS = ("tension_plus_N", "tension_minus_N"), ("length_plus_m", "length_minus_m")
+STILL = Vector(0.0, 0.0, 0.0)
+
+
+def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters]:
+    """`kite` (a set, or a scenario's file), else the first set that fits; the parameters it has.
+
+    Those of `table` are not looked at. Raises InputError where its lines do not end at that
+    kite, or at none, or where it lacks the columns to tell and no kite is given.
+    """
+    kites = {kite: _named(kite)} if kite else _sets()
+    lacks = [name for name in (*POSE, *TENSIONS, *LENGTHS) if name not in table.columns]
+    if lacks and not kite:
+        raise InputError(
+            f"{table.name} does not say which kite flew it, and lacks the column {lacks[0]}, which "
+            f"would tell: say --kite with {', '.join(set_names())}, or with a scenario's file"
+        )
+    gaps = {name: 0.0 if lacks else line_gap(kites[name], table) for name in kites}
+    best = min(gaps, key=lambda name: gaps[name])
+    if gaps[best] > FITS:
+        raise InputError(
+            f"{table.name} was not flown by {' or '.join(kites)}: its lines end {gaps[best]:.2g} m "
+            f"from where they should; say --kite with another set, or with its scenario's file"
+        )
+    return best, kites[best]
+
+
+def line_gap(parameters: Parameters, table: Flight) -> float:
+    """How far [m] taut lines end from the attachments of this kite, in the median; 0: none is."""
+    purpose = "finding its kite"
+    rows = np.flatnonzero(table.matrix(TENSIONS, purpose).min(axis=1) > 0.0)
+    rows = rows[:: max(1, len(rows) // STYLES)]
+    poses, lengths = table.matrix(POSE, purpose)[rows], table.matrix(LENGTHS, purpose)[rows]
+    gaps = [
+        abs(norm(attachment_E(parameters, _body(pose), side)) - length)
+        for pose, pair in zip(poses, lengths, strict=True)
+        for side, length in zip((1.0, -1.0), pair, strict=True)
+    ]
+    return float(np.median(gaps)) if gaps else 0.0
+
+
+def _sets() -> dict[str, Parameters]:
+    names = [DEFAULT, *(name for name in set_names() if name != DEFAULT)]
+    return {name: parameter_set(name) for name in names}
+
+
+def _named(kite: str) -> Parameters:
+    path = Path(kite)
+    return read_scenario(path).parameters if path.suffix == ".toml" else parameter_set(kite)
+
+
+def _body(pose: Array) -> Body:
+    numbers = pose.tolist()
+    return Body(Vector(*numbers[4:]), R_BE(Angles(*numbers[:4])), STILL, STILL)

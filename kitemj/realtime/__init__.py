@@ -1,0 +1,1 @@
+"""A live flight kept in step with the wall clock, in a process of its own."""

@@ -1,0 +1,32 @@
+"""Starts the flight's process before anything heavy is loaded, so that both load side by side."""
+
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from multiprocessing.process import BaseProcess
+from typing import Any, NamedTuple
+
+
+class Launched(NamedTuple):
+    """A process that waits for a `Setup` through `link`, and tells its news in the queue `told`."""
+
+    process: BaseProcess
+    link: Connection
+    told: Any
+
+
+def launch() -> Launched:
+    """A new one; it ends by itself when this program does, or forgets it."""
+    context = get_context("spawn")
+    link, theirs = context.Pipe()
+    told = context.Queue()
+    process = context.Process(target=_run, args=(theirs, told), name="physics", daemon=True)
+    process.start()
+    theirs.close()
+    return Launched(process, link, told)
+
+
+def _run(link: Connection, told: Any) -> None:
+    from kitemj.dynamics import lagrange_kite, mujoco_kite  # noqa: F401  while nobody waits yet
+    from kitemj.realtime.worker import fly
+
+    fly(link, told)

@@ -1,0 +1,57 @@
+"""The last minutes of a flight, to go back to, and one moment that somebody marked."""
+
+from collections import deque
+from typing import NamedTuple
+
+from kitemj.flight.live import TICK, LiveFlight, Saved
+
+EVERY = 1.0
+"""s of flight between the moments that are kept."""
+MINUTES = 5.0
+"""How far back they go: 300 moments of 4 kB."""
+BACK = 5.0
+"""s; how far one step back goes, at least."""
+
+
+class RewindPoint(NamedTuple):
+    """A moment, and the episode of the recording in which it was flown."""
+
+    episode: int
+    saved: Saved
+
+
+class RewindHistory:
+    """Sees every tick of a flight; belongs to the thread that flies."""
+
+    def __init__(self) -> None:
+        self._past: deque[RewindPoint] = deque(maxlen=round(60 * MINUTES / EVERY))
+        self._marked: tuple[RewindPoint, list[RewindPoint]] | None = None
+
+    def see(self, flight: LiveFlight, episode: int) -> None:
+        """Keeps the moment if it is time to."""
+        if flight.ticks % round(EVERY / TICK) == 0:
+            self._past.append(RewindPoint(episode, flight.save()))
+
+    def mark(self, flight: LiveFlight, episode: int) -> None:
+        """Keeps the present moment, with the past that led there, until another is marked."""
+        self._marked = RewindPoint(episode, flight.save()), list(self._past)
+
+    def recall(self) -> RewindPoint | None:
+        """The marked moment; its past is the past again."""
+        if self._marked is None:
+            return None
+        kept, past = self._marked
+        self._past.clear()
+        self._past.extend(past)
+        return kept
+
+    def back(self, flight: LiveFlight) -> RewindPoint | None:
+        """The kept moment `BACK` or a little more ago, else the first; forgets what came after."""
+        wanted = flight.ticks - round(BACK / TICK)
+        while len(self._past) > 1 and self._past[-1].saved.ticks > wanted:
+            self._past.pop()
+        return self._past[-1] if self._past else None
+
+    def forget(self) -> None:
+        """The flight begins anew; a marked moment stays."""
+        self._past.clear()

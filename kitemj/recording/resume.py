@@ -1,0 +1,60 @@
+"""A recorded flight flown again up to a moment, to be flown on from there by somebody."""
+
+from typing import NamedTuple
+
+from kitemj.errors import InputError
+from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.scenario import Scenario, Times
+from kitemj.physics.shaping import StickLaw
+from kitemj.physics.steering import Control, Segment, Sines
+from kitemj.recording.file import Recording
+from kitemj.recording.table import STEERING, STICK
+
+
+class RecordedTick(NamedTuple):
+    """A tick of the past: what the stick asked for, how the lines moved."""
+
+    command: Command
+    segment: Segment
+
+
+class ResumePoint(NamedTuple):
+    """How a flight began, with which models, and the `ticks` that lead to the moment."""
+
+    scenario: Scenario
+    model: str
+    reference: str
+    step: float
+    ticks: tuple[RecordedTick, ...]
+
+    def flight(self) -> LiveFlight:
+        """The flight at its start."""
+        return LiveFlight(self.scenario, self.model, self.reference, self.step)
+
+
+def resume_point(recording: Recording, at: float | None = None) -> ResumePoint:
+    """The last flight of a recording, up to `at` [s] of its time, or to its end.
+
+    Raises InputError where it was not flying then.
+    """
+    way, tick = recording.way_to(recording.episodes[-1]), recording.header.tick
+    end = (len(way) - 1) * tick
+    if at is not None and not 0.0 <= at <= end:
+        raise InputError(
+            f"--at must be in 0 to {end:g} s, the last flight of {recording.path}, got {at:g} s"
+        )
+    rows = way[: len(way) if at is None else round(at / tick) + 1]
+    sticks = [recording.columns[name][rows].tolist() for name in STICK]
+    controls = [recording.columns[name][rows].tolist() for name in STEERING]
+    commands = (Command(d, ell, StickLaw(int(law))) for d, ell, law in zip(*sticks, strict=True))
+    segments = [
+        Segment(max(k - 1, 0) * tick, Control(*control))
+        for k, control in enumerate(zip(*controls, strict=True))
+    ]
+    ticks = tuple(RecordedTick(*both) for both in zip(commands, segments, strict=True))[1:]
+    header, first = recording.header, segments[0].control
+    held = Sines(ell=first.ell, delta=first.delta)
+    times = Times(duration=60.0)  # a live flight has no end
+    start = header.states[recording.columns["start"][rows[0]]]
+    scenario = Scenario(header.scenario, recording.parameters, held, start, times)
+    return ResumePoint(scenario, header.model, header.reference, header.step, ticks)

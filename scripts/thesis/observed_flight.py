@@ -1,0 +1,149 @@
+"""A flight in real time, watched as `kitemj fly` does it: its ticks, and frames at any rate.
+
+The flight has its process, the painter this one. Nothing that is imported here paints, so that
+the first picture of a process may be opened in flight.
+"""
+
+import time
+from collections.abc import Callable
+from contextlib import contextmanager
+from threading import Event, Thread
+from typing import TYPE_CHECKING, NamedTuple
+
+from kitemj.flight.live import TICK, Command
+from kitemj.flight.scenario import Scenario
+from kitemj.flight.simulate import DEFAULT_STEP
+from kitemj.realtime.process import FlightProcess
+from kitemj.realtime.worker import Setup, TickNews
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from kitemj.controls.stick import Stick
+    from kitemj.drawing.picture import Picture
+    from kitemj.drawing.readings import Readings
+
+
+class Painted(NamedTuple):
+    """A frame: begun at `t` [s] of the flight, painted in `duration` [s]."""
+
+    t: float
+    duration: float
+
+
+class Watched(NamedTuple):
+    """What each tick told, the frames, and the wall time [s] that was let go."""
+
+    ticks: list[TickNews]
+    frames: list[Painted]
+    lost: float
+
+
+class Hand(Thread):
+    """Throws the stick of `physics` from side to side every `interval` [s] of the clock."""
+
+    def __init__(self, physics: FlightProcess, interval: float) -> None:
+        super().__init__(name="hand", daemon=True)
+        self._physics, self._interval, self.moves = physics, interval, 0
+        self._over = Event()
+
+    def run(self) -> None:
+        """Until `end`."""
+        begun, side = time.perf_counter(), 1.0
+        while not self._over.is_set():
+            self._physics.command = Command(side)
+            self.moves, side = self.moves + 1, -side
+            due = begun + self.moves * self._interval
+            self._over.wait(max(0.0, due - time.perf_counter()))
+
+    def end(self) -> None:
+        """Lets go of the stick."""
+        self._over.set()
+        self.join()
+
+
+@contextmanager
+def flying(scenario: Scenario) -> "Iterator[FlightProcess]":
+    """A process that flies `scenario`, paused; it ends with the block."""
+    physics = FlightProcess(Setup(scenario, "mujoco", "lagrange", DEFAULT_STEP))
+    try:
+        physics.wait()
+        physics.start()
+        physics.rate = 0.0
+        yield physics
+    finally:
+        physics.stop("watched")
+
+
+def watch(
+    physics: FlightProcess,
+    ticks: int,
+    opened: "Callable[[], Picture] | None" = None,
+    interval: float = 0.0,
+    stick: "Stick | None" = None,
+    hand: Hand | None = None,
+) -> Watched:
+    """So many `ticks` from the start on, or until the kite touches the ground.
+
+    What is `opened`, once the flight has begun, paints every `interval` [s], or as soon as
+    that can be done. The `stick` is read before each frame; a `hand` moves by itself.
+    """
+    lost = physics.times.lost
+    _restart(physics)
+    if hand:
+        hand.start()
+    flown, frames, due = list[TickNews](), list[Painted](), 0.0
+    picture: Picture | None = None
+    try:
+        while len(flown) < ticks and not physics.touch:
+            flown += physics.update()
+            if flown and opened and time.perf_counter() >= due:
+                picture = picture or opened()
+                painting = time.perf_counter()
+                _paint(physics, picture, stick)
+                done = time.perf_counter()
+                frames.append(Painted(painting - flown[0].begun, done - painting))
+                physics.history.add_frame(painting, done - painting)
+                due = max(due + interval, done)
+            else:
+                time.sleep(TICK / 4)
+    finally:
+        if hand:
+            hand.end()
+        physics.rate = 0.0
+    return Watched(flown[:ticks], frames, physics.times.lost - lost)
+
+
+def _restart(physics: FlightProcess) -> None:
+    """Returns when the flight stands at its start, and time runs."""
+    time.sleep(5 * TICK)  # a pause that was asked for takes a tick to come
+    physics.update()
+    physics.command = Command()
+    physics.ask("restart")
+    while not any(news.result.motion.t == 0.0 for news in physics.update()):
+        time.sleep(TICK)
+    physics.rate = 1.0
+
+
+def _paint(physics: FlightProcess, picture: "Picture", stick: "Stick | None") -> None:
+    result = physics.result
+    if stick:
+        physics.command = stick.command(result.motion)
+    picture.paint(result.motion, result.reference, readings_of(physics))
+
+
+def readings_of(physics: FlightProcess) -> "Readings":
+    """What the cockpit shows of the flight as it is now."""
+    from kitemj.drawing.readings import Readings
+
+    result, times = physics.result, physics.times
+    return Readings(
+        model=physics.model,
+        gap=result.gap,
+        delta_command=physics.command.delta * physics.parameters.stick.delta,
+        missed_ticks=times.missed,
+        lateness=times.lateness,
+        stick="programme",
+        traces=physics.history.traces(time.perf_counter()),
+        touch=physics.touch,
+    )

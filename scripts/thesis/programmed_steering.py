@@ -1,0 +1,86 @@
+"""Programmed hands in place of the thesis's, and what the lines make of them.
+
+A hand is a list of (until [s], stick); the stick is in parts of the largest δ, positive where
+the right hand pulls. The lines follow as in a live flight: tick by tick, within the limits.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from kitemj.dynamics.batch import Array
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.limits import TOUCH
+from kitemj.flight.live import TICK, Command, LiveFlight
+from kitemj.flight.scenario import Scenario, scenario_of
+from kitemj.flight.simulate import make_model
+from kitemj.physics.parameters import StickLimits
+from kitemj.physics.shaping import StickLaw, asked, shaped
+from kitemj.physics.steering import Control, Segment, Spline, control, rest_ell
+
+Hand = Sequence[tuple[float, float]]
+
+FULL: Hand = ((2.0, 0.0), (30.0, 1.0), (75.0, -1.0), (100.0, 0.0))
+"""Rest, full right, full left, rest: each long enough for the slowest case to get there (20 s to
+the first end, 40 s from end to end) and for the kite to follow."""
+TOLERANCE = 1e-9
+"""Of a step, in rad and rad/s."""
+
+
+def squares(half_period: float) -> Hand:
+    """Full right and full left in turn, `half_period` [s] each, after 2 s of rest; 80 s or more."""
+    swings = max(3, round(80.0 / half_period))
+    return ((2.0, 0.0), *((2.0 + half_period * (i + 1), (-1.0) ** i) for i in range(swings)))
+
+
+def scenario(length: float, limits: StickLimits | None = None) -> Scenario:
+    """The set thesis at its equilibrium, lines of `length` [m], with these limits of the stick."""
+    stick = {} if limits is None else {"stick": limits._asdict()}
+    tables = {"set": "thesis", "duration": 1.0, "lines": {"length": length}, **stick}
+    return scenario_of(tables, "thesis")
+
+
+def moved(limits: StickLimits, hand: Hand, ell: float) -> Spline:
+    """What the lines do: a parabola a tick, as pieces of a spline; `ell` [m] stays."""
+    ticks = round(hand[-1][0] / TICK)
+    segment, pieces = Segment(0.0, Control(ell, 0.0, 0.0, 0.0, 0.0, 0.0)), np.zeros((4, ticks))
+    for i, stick in enumerate(sticks(hand)):
+        now = control(segment, i * TICK)
+        wish, rate = asked(limits, StickLaw.ANGLE, stick, now, TICK)
+        segment = shaped(limits, now, i * TICK, TICK, wish, ell, ell, rate)
+        c = segment.control
+        pieces[1:, i] = 0.5 * c.delta_ddot, c.delta_dot, c.delta
+    lengths = np.zeros((4, ticks))
+    lengths[3] = ell
+    return Spline(np.arange(ticks + 1.0) * TICK, lengths, pieces)
+
+
+def sticks(hand: Hand) -> list[float]:
+    """The stick at each tick."""
+    found: list[float] = []
+    for until, stick in hand:
+        found += [stick] * (round(until / TICK) - len(found))
+    return found
+
+
+def fill_rows(length: float, limits: StickLimits, hand: Hand) -> Array:
+    """The flight of `hand` by Lagrange's equations: a row at every tick."""
+    start = scenario(length)
+    parameters = start.parameters
+    programme = moved(limits, hand, rest_ell(length, parameters.kite.y_A))
+    kite = make_model("lagrange", parameters)
+    kite.start(start.start, programme)
+    times = np.arange(round(hand[-1][0] / TICK) + 1.0) * TICK
+    return kite.batch(programme, times, TOUCH, TOLERANCE)
+
+
+def flown_live(length: float, limits: StickLimits, hand: Hand) -> dict[str, list[Motion]]:
+    """The same hand through two live flights: the motions of all three models at every tick."""
+    found: dict[str, list[Motion]] = {"lagrange": [], "newton-euler": [], "mujoco": []}
+    for model in ("mujoco", "newton-euler"):
+        flight = LiveFlight(scenario(length, limits), model)
+        results = [flight.restart(), *(flight.tick(Command(stick)) for stick in sticks(hand))]
+        found[model] = [result.motion for result in results]
+        followed = [result.reference for result in results]
+        found["lagrange"] = [motion for motion in followed if motion is not None]
+    return found

@@ -1,0 +1,80 @@
+"""What a person asks for adds up to the wishes that the cockpit grants."""
+
+import pygame
+import pytest
+
+from kitemj.controls.actions import HELP, INSTRUMENTS, NAMES, RATES, VIEWS, Wishes
+from kitemj.controls.keys import KEYS, TOGGLES
+from kitemj.controls.pads import STANDARD
+
+STEERING = {pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN}
+STEERING |= {pygame.K_w, pygame.K_a, pygame.K_s, pygame.K_d}
+
+
+def test_every_action_has_a_key_and_no_key_of_steering():
+    assert set(KEYS.values()) == NAMES
+    assert not STEERING & set(KEYS)
+
+
+def test_every_action_is_on_the_help_page_by_a_key():
+    page = " ".join(HELP).lower()
+    for action in NAMES - set(TOGGLES.values()):
+        keys = [key for key, name in KEYS.items() if name == action]
+        assert any(pygame.key.name(key)[:3] in page for key in keys), action
+
+
+def test_pads_ask_for_what_there_is():
+    assert set(STANDARD.values()) <= NAMES
+
+
+def test_each_instrument_has_its_key():
+    assert [name.removeprefix("toggle ") for name in TOGGLES.values()] == list(INSTRUMENTS)
+    for key, name in zip(TOGGLES, INSTRUMENTS, strict=True):
+        wishes = Wishes()
+        wishes.ask([KEYS[key]])
+        assert wishes.shown == set(INSTRUMENTS) - {name}
+        wishes.ask([KEYS[key]])
+        assert wishes.shown == set(INSTRUMENTS)
+
+
+def test_all_instruments_or_none():
+    wishes = Wishes()
+    wishes.ask(["toggle knob", "instruments"])
+    assert wishes.shown == set()
+    wishes.ask(["instruments"])
+    assert wishes.shown == set(INSTRUMENTS)
+
+
+def test_rates_and_pause():
+    wishes = Wishes()
+    wishes.ask(["slower", "pause"])
+    assert wishes.rate == 0.0
+    wishes.ask(["pause"])
+    assert wishes.rate == 0.5
+    wishes.ask(["faster"] * 10)
+    assert wishes.rate == max(RATES)
+    wishes.ask(["slower"] * 10)
+    assert wishes.rate == min(RATES)
+
+
+def test_views_go_round():
+    wishes, seen = Wishes(), []
+    for _ in VIEWS:
+        seen.append(wishes.view)
+        wishes.ask(["view"])
+    assert tuple(seen) == VIEWS
+    assert wishes.view == VIEWS[0]
+
+
+def test_deeds_are_taken_once_in_their_order():
+    wishes = Wishes()
+    wishes.ask(["save", "rewind", "help", "restart"])
+    wishes.turn, wishes.zoom = (0.1, 0.2), 1.1
+    assert wishes.taken() == (["save", "rewind", "restart"], (0.1, 0.2), 1.1)
+    assert wishes.taken() == ([], (0.0, 0.0), 1.0)
+    assert wishes.help
+
+
+def test_an_unknown_action_is_an_error():
+    with pytest.raises(KeyError):
+        Wishes().ask(["fly to the moon"])

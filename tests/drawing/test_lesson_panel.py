@@ -1,0 +1,158 @@
+"""The lesson and the card of a touch: in their places, legible, and nothing else painted over."""
+
+import pygame
+import pytest
+
+from kitemj.controls.actions import PANELS
+from kitemj.drawing.alarms import Alarm, paint_banner
+from kitemj.drawing.instruments import Instruments
+from kitemj.drawing.lesson_panel import HEIGHT, _fitting, beside, paint_lesson, paint_touch
+from kitemj.drawing.panel import CALL, GOOD, LEFT, RIGHT
+from kitemj.drawing.picture import INSET
+from kitemj.physics.parameter_files import parameter_set
+from kitemj.pilots.course import LessonStatus
+from kitemj.pilots.crash import Touch
+
+SPORT = parameter_set("sport")
+SIZES = ((1280, 720), (640, 360), (1920, 1080), (1000, 720))
+LONGEST = (
+    "Push the stick a little right, until the nose comes over the top and points right",
+    "That was a circle, not an eight. Push the stick a little right, back to the right",
+    "Push the stick a little right: out to the side first, then come back",
+    "All the way round! Push the stick a little right, until the nose points up",
+    "Never mind, that is how one learns. R or A flies again",
+)
+GREY = (128, 128, 128)
+LESSON = LessonStatus(2, 7, "Turn left", LONGEST[0], -0.4, 0.5, False)
+CRASH = Touch(3.5, "right wing's trailing corner", 29.7, 27.7, -1.2, 25.0, 67.0, 26.0)
+SOFT = Touch(9.0, "left tip", 1.2, 1.1, 1.2, 25.0, 0.2, 1.4)
+GROUND = Alarm("GROUND", "30 m/s of air", "the kite touched the ground")
+
+
+class Cockpit:
+    """A grey frame with the places of the instruments, none of them painted."""
+
+    def __init__(self, size: tuple[int, int] = (1280, 720)) -> None:
+        self.surface = pygame.Surface(size)
+        self.surface.fill(GREY)
+        self.instruments = Instruments(SPORT, *size)
+        self.unit = self.instruments.u
+        inset = pygame.Rect(0, 0, int(INSET * 1280 * self.unit), int(INSET * 720 * self.unit))
+        inset.topright = size[0] - int(12 * self.unit), int(12 * self.unit)
+        self.taken = [inset, *(self.instruments.box(name) for name in PANELS)]
+
+    def room(self, near: bool) -> pygame.Rect:
+        return self.instruments._room(near)
+
+    def lesson(self, near: bool = True, **how: object) -> pygame.Rect:
+        status = LESSON._replace(**how)
+        return paint_lesson(self.surface, self.room(near), self.unit, status, near)
+
+    def columns(self, box: pygame.Rect, colour: tuple[int, int, int]) -> list[int]:
+        """Those in `box` where something has this colour."""
+        across, down = range(box.left, box.right), range(box.top, box.bottom)
+        return [x for x in across if any(self.surface.get_at((x, y))[:3] == colour for y in down)]
+
+
+def apart(boxes: list[pygame.Rect]) -> bool:
+    return not any(a.colliderect(b) for i, a in enumerate(boxes) for b in boxes[i + 1 :])
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("near", [True, False], ids=["near", "far"])
+def test_lesson_banner_and_card_are_clear_of_each_other_and_of_the_instruments(
+    size: tuple[int, int], near: bool
+) -> None:
+    cockpit = Cockpit(size)
+    lesson = cockpit.lesson(near)
+    left = beside(cockpit.room(near), lesson, cockpit.unit)
+    banner = paint_banner(cockpit.surface, left, cockpit.unit, GROUND, "the gamepad is gone", near)
+    middle = cockpit.room(True)  # its columns are free in every view
+    middle.height -= round(36 * cockpit.unit)  # the legend of the arrows
+    left = beside(middle, lesson.union(banner), cockpit.unit)
+    card = paint_touch(cockpit.surface, left, cockpit.unit, CRASH)
+    boxes = [lesson, banner, card]
+    assert apart(boxes)
+    assert all(box.collidelist(cockpit.taken) < 0 for box in boxes)
+    assert all(cockpit.surface.get_rect().contains(box) for box in boxes)
+    assert left.inflate(2, 2).contains(card)
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("near", [True, False], ids=["near", "far"])
+def test_every_advice_fits_in_two_lines(size: tuple[int, int], near: bool) -> None:
+    cockpit = Cockpit(size)
+    for text in LONGEST:
+        room = cockpit.room(near).width / cockpit.unit - 28
+        digits, lines = _fitting(text, room, cockpit.unit)
+        assert len(lines) <= 2, lines
+        assert " ".join(lines) == text
+        assert digits >= 18
+
+
+@pytest.mark.parametrize("near", [True, False], ids=["near", "far"])
+def test_nothing_is_painted_outside_the_lesson(near: bool) -> None:
+    cockpit = Cockpit()
+    box = cockpit.lesson(near)
+    assert box.height == pytest.approx(HEIGHT * cockpit.unit, abs=1)
+    assert cockpit.surface.get_at(box.center)[:3] != GREY
+    cockpit.surface.fill(GREY, box)
+    whole = pygame.mask.from_threshold(cockpit.surface, GREY, (1, 1, 1, 255))
+    assert whole.count() == cockpit.surface.get_width() * cockpit.surface.get_height()
+
+
+def test_the_arrows_point_where_the_stick_should_go_and_say_how_far() -> None:
+    shown = {}
+    for push in (-1.0, -0.4, -0.2, 0.0, 0.2, 0.4, 1.0):
+        cockpit = Cockpit()
+        box = cockpit.lesson(push=push)
+        shown[push] = cockpit.columns(box, LEFT), cockpit.columns(box, RIGHT)
+        lefts, rights = shown[push]
+        assert bool(lefts) == (push < 0)
+        assert bool(rights) == (push > 0)
+        assert all(x < box.centerx - 150 for x in lefts), "px, at the left end of the bar"
+        assert all(x > box.centerx + 150 for x in rights)
+    for side, which in ((-1, 0), (1, 1)):
+        lengths = [len(shown[side * size][which]) for size in (0.2, 0.4, 1.0)]
+        assert lengths[0] * 3 == lengths[1] * 1.5 == lengths[2], "one, two, three of a size"
+
+
+def test_the_bar_is_as_long_as_the_progress() -> None:
+    lengths = {}
+    for progress in (0.0, 0.25, 0.5, 1.0, 1.5):
+        cockpit = Cockpit()
+        lengths[progress] = len(cockpit.columns(cockpit.lesson(progress=progress), GOOD))
+    assert lengths[0.0] == 0
+    assert lengths[0.25] == pytest.approx(lengths[1.0] / 4, abs=1)
+    assert lengths[0.5] == pytest.approx(lengths[1.0] / 2, abs=1)
+    assert lengths[1.5] == lengths[1.0] > 350
+
+
+def test_praise_is_green_and_advice_is_not() -> None:
+    for praised in (True, False):
+        cockpit = Cockpit()
+        box = cockpit.lesson(praised=praised, progress=0.0)
+        assert bool(cockpit.columns(box, GOOD)) == praised
+
+
+def test_a_crash_calls_and_a_landing_is_green() -> None:
+    for touch, colour, other in ((CRASH, CALL, GOOD), (SOFT, GOOD, None)):
+        cockpit = Cockpit()
+        box = paint_touch(cockpit.surface, cockpit.room(True), cockpit.unit, touch)
+        assert cockpit.surface.get_at((box.left + 1, box.centery))[:3] == colour
+        assert other is None or not cockpit.columns(box, other)
+
+
+def test_a_card_without_much_room_is_smaller() -> None:
+    cockpit = Cockpit()
+    wide = paint_touch(cockpit.surface, cockpit.room(True), cockpit.unit, CRASH)
+    room = pygame.Rect(400, 300, 500, 180)
+    small = paint_touch(cockpit.surface, room, cockpit.unit, CRASH)
+    assert wide.height > room.height
+    assert room.contains(small)
+
+
+def test_what_is_left_is_the_larger_part() -> None:
+    room = pygame.Rect(100, 50, 300, 400)
+    assert beside(room, pygame.Rect(120, 50, 50, 100), 1.0) == pygame.Rect(100, 158, 300, 292)
+    assert beside(room, pygame.Rect(120, 350, 50, 100), 1.0) == pygame.Rect(100, 50, 300, 292)

@@ -1,0 +1,136 @@
+"""The flight in a process of its own: what it tells, what it does when either side is gone."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from kitemj.errors import FlightError, InputError
+from kitemj.flight.live import Command
+from kitemj.flight.scenario import scenario_of
+from kitemj.realtime.process import FlightProcess
+from kitemj.realtime.worker import Setup
+from kitemj.recording.file import read_recording
+from kitemj.recording.replay import replay
+
+SCENARIO = scenario_of({"set": "sport", "duration": 60.0}, "test")
+PATIENCE = 30.0
+"""s; for what takes milliseconds on a machine that has nothing else to do."""
+
+
+def setup(record=None):
+    return Setup(SCENARIO, "mujoco", "lagrange", 0.002, record)
+
+
+def until(condition, physics):
+    """Listens until `condition` of all news so far holds."""
+    heard, begun = [], time.monotonic()
+    while not condition(heard):
+        assert time.monotonic() < begun + PATIENCE, "nothing came of it"
+        heard += physics.update()
+        time.sleep(0.005)
+    return heard
+
+
+@pytest.fixture
+def flying():
+    physics = FlightProcess(setup())
+    physics.wait()
+    physics.start()
+    yield physics
+    physics.stop("over")
+
+
+def test_each_tick_is_told_once_and_flies_what_was_asked_for(flying):
+    flying.command = Command(0.5)
+    asked = time.perf_counter()
+    heard = until(lambda news: len(news) > 50, flying)
+    ticks = [round(100 * news.result.motion.t) for news in heard]
+    assert ticks == list(range(len(ticks)))
+    later = [news for news in heard if news.begun > asked + 0.01]
+    assert later
+    assert all(news.command == Command(0.5) for news in later)
+    assert flying.result == heard[-1].result
+    assert len(flying.history.traces(0.0).trail) > 10
+
+
+def test_pause_step_save_rewind_and_restart(flying):
+    until(lambda news: len(news) > 30, flying)
+    flying.rate = 0.0
+    flying.ask("save")
+    time.sleep(0.1)
+    flying.update()
+    paused = flying.result.motion.t
+    flying.ask("step")
+    stepped = until(lambda news: news, flying)
+    assert [round(100 * (news.result.motion.t - paused)) for news in stepped] == [1]
+    flying.ask("load")
+    until(lambda news: news and news[-1].result.motion.t == paused, flying)
+    flying.ask("restart")
+    until(lambda news: news and news[-1].result.motion.t == 0.0, flying)
+
+
+def test_recording_is_that_of_the_flight(tmp_path):
+    physics = FlightProcess(setup(tmp_path / "x.arrows"))
+    physics.wait()
+    physics.start()
+    physics.command = Command(0.3, 0.1)
+    heard = until(lambda news: len(news) > 60, physics)
+    said = physics.stop("left by the pilot")
+    recording = read_recording(tmp_path / "x.arrows")
+    assert f"{len(recording)} ticks" in said
+    assert recording.ending == "left by the pilot"
+    assert recording.columns["x_E_m"][20] == heard[20].result.motion.body.p_G_E.x
+    assert replay(recording, "mujoco").identical
+
+
+def test_a_flight_that_ends_from_outside_is_a_sentence(flying):
+    until(lambda news: len(news) > 5, flying)
+    flying._process.kill()
+    with pytest.raises(FlightError, match="its process was ended from outside"):
+        until(lambda news: False, flying)
+
+
+def test_what_cannot_be_flown_is_the_same_sentence_as_in_one_process():
+    physics = FlightProcess(setup()._replace(model="paper"))
+    with pytest.raises(InputError, match="there is no model 'paper'"):
+        physics.wait()
+
+
+PAINTER = """
+import sys, time
+from pathlib import Path
+from tests.realtime.test_process import FlightProcess, setup, until
+if __name__ == "__main__":
+    physics = FlightProcess(setup(Path(sys.argv[1])))
+    physics.wait()
+    physics.start()
+    until(lambda news: len(news) > 100, physics)
+    print(physics._process.pid, flush=True)
+    time.sleep(60)
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGKILL")
+def test_when_the_painter_is_killed_the_recording_is_closed_and_no_process_stays(tmp_path):
+    script, path = tmp_path / "painter.py", tmp_path / "x.arrows"
+    script.write_text(PAINTER)
+    root = Path(__file__).parents[2]
+    with subprocess.Popen(
+        [sys.executable, script, path],
+        stdout=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(root)},
+    ) as painter:
+        physics = int(painter.stdout.readline())
+        painter.send_signal(signal.SIGKILL)
+    begun = time.monotonic()
+    while Path(f"/proc/{physics}").exists() and time.monotonic() < begun + PATIENCE:
+        time.sleep(0.02)
+    recording = read_recording(path)
+    assert recording.ending == "the program that showed it was ended"
+    assert len(recording) > 100
