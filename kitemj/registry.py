@@ -1,6 +1,6 @@
 """Things by name: those that ship, those of installed packages, those of a module of one's own."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
 from typing import Any, Generic, TypeVar
@@ -28,30 +28,39 @@ class Registry(Generic[T]):
         self._loaded[name] = thing
 
     def __getitem__(self, name: str) -> T:
-        """The thing called `name`; raises InputError, with the names there are, for another."""
+        """The thing called `name`; raises InputError as `check` does."""
+        self.check(name)
         if name not in self._loaded:
             if name in self.shipped:
                 module, _, attribute = self.shipped[name].partition(":")
                 thing: Any = getattr(import_module(module), attribute)
-            elif name in (installed := self._installed()):
-                thing = installed[name].load()
             else:
-                names = ", ".join(self.names())
-                raise InputError(f"there is no {self.kind} {name!r}; there are: {names}")
+                thing = self._installed()[name].load()
             self._loaded[name] = thing
         return self._loaded[name]
+
+    def check(self, name: str) -> None:
+        """Raises InputError, with the names there are, for a name that means nothing."""
+        if name not in self:
+            names = ", ".join(self)
+            raise InputError(f"there is no {self.kind} {name!r}; there are: {names}")
 
     def __contains__(self, name: object) -> bool:
         """Whether there is something of this name."""
         return name in self.shipped or name in self._loaded or name in self._installed()
 
-    def names(self) -> list[str]:
+    def __iter__(self) -> Iterator[str]:
         """All names: ours in their order, then the others by the alphabet."""
-        return [*self.shipped, *sorted({*self._loaded, *self._installed()} - {*self.shipped})]
+        yield from self.shipped
+        yield from sorted({*self._loaded, *self._installed()} - {*self.shipped})
+
+    def __len__(self) -> int:
+        """How many names there are."""
+        return len(list(self))
 
     def name_of(self, thing: T) -> str:
         """The name under which `thing` can be asked for; raises InputError where it has none."""
-        for name in self.names():
+        for name in self:
             if self[name] is thing:
                 return name
         raise InputError(f"{thing!r} has no name among the {self.kind}s: add it first")

@@ -15,10 +15,10 @@ from timing import interleaved, machine, program, ratios, resident, seconds, spr
 from kitemj.dynamics import lagrange_kite, mujoco_kite, newton_euler_kite
 from kitemj.dynamics.adaptive import right_side
 from kitemj.dynamics.batch import X, Z
+from kitemj.dynamics.formulation import make_model
 from kitemj.dynamics.motion import Motion
 from kitemj.dynamics.taut import evaluate
 from kitemj.flight.scenario import read_scenario
-from kitemj.flight.simulate import make_model
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.compiled import compiled
 from kitemj.physics.loads import aerodynamic_wrench

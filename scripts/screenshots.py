@@ -24,11 +24,12 @@ from kitemj.drawing.history import History, Traces
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
+from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.compare import position_gap
 from kitemj.flight.live import TICK, Command, LiveFlight
 from kitemj.flight.scenario import Scenario, read_scenario, scenario_of
-from kitemj.flight.simulate import DEFAULT_STEP, simulate
+from kitemj.flight.simulate import simulate
 from kitemj.physics.parameter_files import read_toml
 from kitemj.pilots.course import Course
 from kitemj.pilots.crash import FirstTouch

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.dynamics.motion import State
+from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.equilibrium import equilibrium_state
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
@@ -64,6 +64,13 @@ def aloft(parameters: Parameters, phi: float = 0.0) -> State:
     """At the equilibrium, turned aside by `phi` [rad]."""
     q = equilibrium_state(parameters).q
     return State(q._replace(phi=q.phi + phi), STILL)
+
+
+def pulling(motion: Motion, *tensions: float) -> Motion:
+    """The motion with other pulls [N] in its lines."""
+    pairs = zip(motion.lines, tensions, strict=True)
+    lines = [line._replace(tension_ground=pull, tension_kite=pull) for line, pull in pairs]
+    return motion._replace(lines=tuple(lines))
 
 
 def random_cases(n: int, seed: int = 7) -> list[Case]:

@@ -33,9 +33,9 @@ TOP = ("__init__", "__main__", "cli")
 FORMULATIONS = {
     "lagrange": {"lagrange", "lagrange_kite", "solve4"},
     "newton-euler": {"newton_euler", "newton_euler_kite"},
-    "mujoco": {"mujoco_kite", "engine", "taut", "slack", "straight"},
+    "mujoco": {"mujoco_kite", "engine", "taut", "slack"},
 }
-SHARED = {"motion", "adaptive", "batch", "__init__"}
+SHARED = {"motion", "formulation", "straight", "adaptive", "batch", "__init__"}
 """Files of dynamics that any formulation may import."""
 
 LARGEST_ROOM = 3000

@@ -4,9 +4,11 @@ import argparse
 from typing import NoReturn
 
 from kitemj.controls.actions import VIEWS
+from kitemj.dynamics.formulation import DEFAULT_STEP
+from kitemj.dynamics.formulation import MODELS as REGISTRY
 from kitemj.errors import InputError
 
-MODELS = ("mujoco", "newton-euler", "lagrange")
+MODELS = tuple(REGISTRY.shipped)
 RAW = argparse.RawDescriptionHelpFormatter
 
 
@@ -29,9 +31,8 @@ def command(
 
 def add_step(parser: Parser) -> None:
     """``--step``."""
-    parser.add_argument(
-        "--step", type=float, default=0.002, metavar="S", help="longest step [s], default 0.002"
-    )
+    says = f"longest step [s], default {DEFAULT_STEP:g}"
+    parser.add_argument("--step", type=float, default=DEFAULT_STEP, metavar="S", help=says)
 
 
 def add_picture(parser: Parser) -> None:

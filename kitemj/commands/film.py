@@ -64,8 +64,8 @@ def _source(
 ) -> "FilmSource":
     """The flight in a file: flown by `model`, or recorded and flown again by it."""
     from kitemj.cockpit.film_sources import RecordingSource, ScenarioSource
+    from kitemj.dynamics.formulation import DEFAULT_STEP
     from kitemj.flight.scenario import read_scenario
-    from kitemj.flight.simulate import DEFAULT_STEP
     from kitemj.recording.file import read_recording
     from kitemj.recording.replay import replay
 

@@ -100,7 +100,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _setup(args: argparse.Namespace) -> "Setup":
     """What is to be flown, and recorded where."""
-    from kitemj.flight.simulate import check_model
+    from kitemj.dynamics.formulation import check_model
     from kitemj.realtime.worker import Setup
     from kitemj.recording.file import read_recording
     from kitemj.recording.resume import resume_point

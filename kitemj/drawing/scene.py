@@ -5,7 +5,8 @@ shape from frame to frame: lines, bridles, force arrows, pilot, wind. Positions 
 frame E and leave in W through `kitemj.physics.frames`.
 """
 
-from itertools import pairwise
+from collections.abc import Sequence
+from itertools import chain, pairwise, repeat
 from math import sqrt, tan
 from typing import Any
 
@@ -30,6 +31,7 @@ AIR = (1.0, 0.86, 0.20)
 WEIGHT = (0.97, 0.97, 0.97)
 WIND = (0.75, 0.95, 1.0)
 THREAD = (0.20, 0.20, 0.22)
+COLOURS = (look.RED, look.BLUE)  # of the first lines, the pilot's left and right; others: THREAD
 SHIRT = (0.95, 0.55, 0.10)
 SKIN = (0.85, 0.65, 0.50)
 
@@ -88,7 +90,7 @@ class Scene:
             self.model, self._data, self._option, None, self._free, ALL, self.mjv
         )
         self._aim(camera)
-        self._add_lines(motion, (look.RED, look.BLUE), 3.0 if close else 2.0)
+        self._add_lines(motion, COLOURS, 3.0 if close else 2.0)
         if reference is not None and visible > 0:
             self._add_lines(reference, (look.REFERENCE, look.REFERENCE), 1.0)
         self._add_pilot(camera)
@@ -126,13 +128,10 @@ class Scene:
             eye.frustum_near, eye.frustum_far = NEAR, 2 * look.EXTENT
 
     def _add_lines(self, motion: Motion, colours: tuple[Any, Any], width: float) -> None:
-        for side, length, colour in zip((1.0, -1.0), motion.lengths, colours, strict=True):
-            end = attachment_E(self.parameters, motion.body, side)
-            distance = norm(end)
-            if length <= distance + SLACK:
-                self._stroke(LINE, width, O_E, end, colour)
-                continue
-            points = hanging(end, length)
+        for line, colour in zip(motion.lines, chain(colours, repeat(THREAD)), strict=False):
+            points: Sequence[Vector] = line.points
+            if len(points) == 2 and line.length > norm(points[-1]) + SLACK:
+                points = hanging(points[-1], line.length)
             for a, b in pairwise(points):
                 self._stroke(LINE, width, a, b, colour)
 
@@ -158,11 +157,10 @@ class Scene:
         weight = Vector(0.0, 0.0, p.kite.mass * p.environment.gravity)
         self._arrow(body.p_G_E, times(metres, air), AIR)
         self._arrow(body.p_G_E, times(metres, weight), WEIGHT)
-        for side, tension, colour in zip(
-            (1.0, -1.0), motion.tensions, (look.RED, look.BLUE), strict=True
-        ):
-            A = attachment_E(p, body, side)
-            self._arrow(A, times(-max(tension, 0.0) * metres / norm(A), A), colour)
+        for line, colour in zip(motion.lines, chain(COLOURS, repeat(THREAD)), strict=False):
+            *_, before, A = line.points
+            pull = max(line.tension_kite, 0.0) * metres / norm(minus(before, A))
+            self._arrow(A, times(pull, minus(before, A)), colour)
 
     def _add_wind(self, motion: Motion, close: bool) -> None:
         tail, tip = self.wind_arrow(motion, close)

@@ -19,7 +19,7 @@ from kitemj.drawing.panel import (
     WHITE,
     Panel,
 )
-from kitemj.dynamics.motion import Motion, attachment_E
+from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import norm
 
@@ -34,9 +34,9 @@ def paint_tensions(panel: Panel, parameters: Parameters, motion: Motion, alarm: 
     panel.text("LINES", 12, 20)
     panel.text(f"{ceiling / 4:.0f}", BAR + ROOM / 2, 20, align=0.5)
     panel.text(f"max {ceiling:.0f} N", BAR + ROOM - 44, 20)
-    for i, (name, colour, side) in enumerate((("left", LEFT, 1.0), ("right", RIGHT, -1.0))):
-        row, tension = 52 + 40 * i, motion.tensions[i]
-        hangs = motion.lengths[i] - norm(attachment_E(parameters, motion.body, side))
+    for i, (name, colour) in enumerate((("left", LEFT), ("right", RIGHT))):
+        row, line = 52 + 40 * i, motion.lines[i]
+        tension, hangs = line.tension_kite, line.length - norm(line.points[-1])
         slack, over = tension <= 0.0 or hangs > SLACK, tension > ceiling
         wrong = alarm == NOW and (slack or over)
         panel.text(name, 12, row, colour=WHITE if alarm == NOW else colour)

@@ -17,9 +17,9 @@ from kitemj.physics.vectors import Vector, plus, unrotated
 
 Array = NDArray[np.float64]
 
-X, Y, Z, TENSION_PLUS, TENSION_MINUS, ALPHA, BETA, CLEARANCE = range(8)
-"""Columns of a survey: G [m, E], tensions [N], angles [rad], lowest corner above ground [m]."""
-COLUMNS = 8
+X, Y, Z, ALPHA, BETA, CLEARANCE, TENSIONS = range(7)
+"""Columns: G [m, E], angles [rad], lowest corner above ground [m]; from the last on what each
+line pulls at the kite [N]."""
 
 
 def _carry(flight: Any, t: float, end: float) -> float:
@@ -52,7 +52,7 @@ def clearance(parameters: Parameters, motion: Motion) -> float:
 
 @compiled
 def fill_rows(flight: Any, parameters: Parameters, times: Array, touch: float, rows: Array) -> int:
-    """Flies from 0 s through `times` (n,) [s], ascending; fills `rows` (n, `COLUMNS`).
+    """Flies from 0 s through `times` (n,) [s], ascending; fills `rows` (n, columns).
 
     Returns how many rows hold: fewer than n where the numbers left the finite (the next row
     is the first that does not hold) or where the kite came lower than `touch` [m] (the last
@@ -67,10 +67,11 @@ def fill_rows(flight: Any, parameters: Parameters, times: Array, touch: float, r
         motion = present(flight, t)
         row, body = rows[i], motion.body
         row[X], row[Y], row[Z] = body.p_G_E.x, body.p_G_E.y, body.p_G_E.z
-        row[TENSION_PLUS], row[TENSION_MINUS] = motion.tensions.plus, motion.tensions.minus
+        for k in range(len(motion.lines)):
+            row[TENSIONS + k] = motion.lines[k].tension_kite
         row[ALPHA], row[BETA] = motion.air.alpha, motion.air.beta
         row[CLEARANCE] = clearance(parameters, motion)
-        if not (isfinite(row[X]) and isfinite(row[TENSION_PLUS])):
+        if not (isfinite(row[X]) and isfinite(row[TENSIONS])):
             return i
         if row[CLEARANCE] < touch:
             return i + 1

@@ -251,6 +251,20 @@ def accelerations(
 
 
 @compiled
+def spatial(
+    kite: Kite, q: Angles, q_dot: Angles, q_ddot: Angles, c: Control
+) -> tuple[Vector, Vector]:
+    """a_G [m/s², E] and ω̇ [rad/s², B] that `q_ddot` [rad/s²] means."""
+    k = kinematics(kite, q, q_dot, c)
+    faster = Control(0.0, c.ell_ddot, 0.0, 0.0, c.delta_ddot, 0.0)
+    u_dot = plus(_sum(k.U, q_ddot, faster), _sum(k.U_dot, q_dot, c))
+    omega_dot = plus(_sum(k.W, q_ddot, faster), _sum(k.W_dot, q_dot, c))
+    # u is told in frame 2, which turns like the body but for θ̇ about y_2
+    omega_2 = minus(unrotated(R_B2(q.theta), k.w), Vector(0.0, q_dot.theta, 0.0))
+    return unrotated(R_2E(q), plus(u_dot, cross(omega_2, k.u))), omega_dot
+
+
+@compiled
 def _row(
     f_u: Vector,
     f_w: Vector,

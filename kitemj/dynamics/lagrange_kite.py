@@ -7,14 +7,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.batch import COLUMNS, carry_law, fill_rows, present_law
-from kitemj.dynamics.lagrange import accelerations, body
-from kitemj.dynamics.motion import Motion, PerLine, Snapshot, State, air_of
+from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
+from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
+from kitemj.dynamics.lagrange import accelerations, body, spatial
+from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles
+from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import Programme, control, line_motion
+from kitemj.physics.rig import TWO_LINES
+from kitemj.physics.steering import Control, Programme, control
 
 RTOL, TOLERANCE = 1e-12, 1e-13
 """Relative and absolute error of a step, of q [rad] and q̇ [rad/s]: three orders below what
@@ -74,9 +77,18 @@ def motion_at(parameters: Parameters, programme: Programme, t: float, state: Sta
     c = control(programme, t)
     tensions = accelerations(parameters, c, t, state.q, state.q_dot).tensions
     pose = body(parameters, state.q, state.q_dot, c)
-    y_A = parameters.kite.y_A
-    lengths = PerLine(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length)
-    return Motion(t, state.q, pose, c, lengths, tensions, air_of(parameters, pose, t))
+    lines = straight_lines(parameters, pose, c, tensions)
+    return Motion(t, state.q, pose, c, lines, air_of(parameters, pose, t))
+
+
+@compiled
+def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> Instant:
+    """The accelerations at `state`, the lines at `c`, time `t` [s]."""
+    q_ddot, tensions = accelerations(parameters, c, t, state.q, state.q_dot)
+    a_G_E, omega_dot_B = spatial(parameters.kite, state.q, state.q_dot, q_ddot, c)
+    pose = body(parameters, state.q, state.q_dot, c)
+    wrench = aerodynamic_wrench(parameters, pose.p_G_E, pose.R_BE, pose.v_G_E, pose.omega_B, t)
+    return Instant(pose, a_G_E, omega_dot_B, q_ddot, tensions, wrench)
 
 
 class LagrangeFlight(NamedTuple):
@@ -141,9 +153,9 @@ class LagrangeKite:
     `step` [s] is the longest step of `advance`; `trajectory` and `survey` choose their own.
     """
 
-    name = "lagrange"
+    name, rigs = "lagrange", (TWO_LINES,)
 
-    def __init__(self, parameters: Parameters, step: float = 0.002) -> None:
+    def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
         self.parameters, self.step = parameters, step
         self.t = 0.0
         self.state = State(Angles(0.0, 0.0, 0.0, 0.0), Angles(0.0, 0.0, 0.0, 0.0))
@@ -151,6 +163,11 @@ class LagrangeKite:
     def start(self, state: State, programme: Programme) -> None:
         """Puts the kite at `state` at t = 0 s."""
         self.t, self.state = 0.0, state
+
+    def at(self, state: State, control: Control, t: float) -> Instant:
+        """The instant at `state`."""
+        now: Instant = instant_at(self.parameters, control, t, state)
+        return now
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s] in equal Runge-Kutta steps."""
@@ -207,7 +224,7 @@ class LagrangeKite:
 
         `tolerance` bounds the error of each step in q [rad] and q̇ [rad/s].
         """
-        rows = np.empty((len(times), COLUMNS))
+        rows = np.empty((len(times), TENSIONS + 2))
         flight = LagrangeFlight(self.parameters, programme, room_for(self._x()), tolerance)
         return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
 

@@ -1,16 +1,13 @@
-"""What every model answers: one instant of a flight, and the verbs to get there."""
+"""One instant of a flight, as every model tells it: pose, velocity, lines, air."""
 
-from typing import NamedTuple, Protocol
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import NamedTuple
 
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles, angles
 from kitemj.physics.kite import Kite
 from kitemj.physics.loads import Air, air
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import Control, Programme
+from kitemj.physics.steering import Control, line_motion
 from kitemj.physics.vectors import Rotation, Vector, cross, plus, times, unrotated
 
 
@@ -37,20 +34,42 @@ class Body(NamedTuple):
     omega_B: Vector
 
 
+class LineState(NamedTuple):
+    """One line: the `length` [m] paid out, what it pulls [N] at either end, where it runs.
+
+    `points` [m, E] are what it is drawn through, from the ground to the kite. A slack line is
+    longer than the way between them.
+    """
+
+    length: float
+    tension_ground: float
+    tension_kite: float
+    points: tuple[Vector, ...]
+
+
 class Motion(NamedTuple):
     """One instant of a flight; all that pictures, tables and comparisons are made of.
 
-    `tensions` [N] pull when positive; `lengths` [m] are the lines paid out (a slack
-    line is longer than the distance it spans).
+    `q` is None where the formulation has no such coordinates; `lines` are in the order of the
+    rig's (`kitemj.physics.rig`), the pilot's left first.
     """
 
     t: float
-    q: Angles
+    q: Angles | None
     body: Body
     control: Control
-    lengths: PerLine
-    tensions: PerLine
+    lines: tuple[LineState, ...]
     air: Air
+
+    @property
+    def tensions(self) -> tuple[float, ...]:
+        """What each line pulls at the kite [N]; positive is a pull."""
+        return tuple(line.tension_kite for line in self.lines)
+
+    @property
+    def lengths(self) -> tuple[float, ...]:
+        """How much of each line is paid out [m]."""
+        return tuple(line.length for line in self.lines)
 
 
 class Snapshot(NamedTuple):
@@ -58,39 +77,6 @@ class Snapshot(NamedTuple):
 
     t: float
     numbers: tuple[float, ...]
-
-
-class Model(Protocol):
-    """The same few verbs for every formulation."""
-
-    name: str
-    t: float
-
-    def start(self, state: State, programme: Programme) -> None:
-        """Puts the kite at `state` at t = 0 s, the lines moving as `programme` says."""
-
-    def advance(self, programme: Programme, duration: float) -> None:
-        """Flies on for `duration` [s] in equal steps not longer than the model's own."""
-
-    def motion(self, programme: Programme) -> Motion:
-        """The present instant."""
-
-    def snapshot(self) -> Snapshot:
-        """What `restore` needs to fly on from here to the same bits."""
-
-    def restore(self, kept: Snapshot) -> None:
-        """Back to a snapshot of a model with the same parameters and step."""
-
-    def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], ascending, not before now; the last becomes now."""
-
-    def batch(
-        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
-    ) -> NDArray[np.float64]:
-        """The flight from its start through `times` (n,) [s] at one go: rows of a survey.
-
-        Fewer than n where it leaves the finite or comes lower than `touch` [m].
-        """
 
 
 HULL = 0.05
@@ -147,3 +133,24 @@ def energy(parameters: Parameters, body: Body) -> float:
     height = -body.p_G_E.z
     translation = kite.mass * (v.x * v.x + v.y * v.y + v.z * v.z)
     return 0.5 * (translation + spin) + kite.mass * parameters.environment.gravity * height
+
+
+@compiled
+def straight_line(
+    parameters: Parameters, body: Body, c: Control, side: float, tension: float
+) -> LineState:
+    """The straight, massless line to A₊ (`side` +1) or A₋ (-1) that pulls with `tension` [N]."""
+    length = line_motion(parameters.kite.y_A, c, side).length
+    points = Vector(0.0, 0.0, 0.0), attachment_E(parameters, body, side)
+    return LineState(length, tension, tension, points)
+
+
+@compiled
+def straight_lines(
+    parameters: Parameters, body: Body, c: Control, tensions: PerLine
+) -> tuple[LineState, LineState]:
+    """Both lines, that to A₊ first."""
+    return (
+        straight_line(parameters, body, c, 1.0, tensions.plus),
+        straight_line(parameters, body, c, -1.0, tensions.minus),
+    )

@@ -10,16 +10,21 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.dynamics.batch import COLUMNS, carry_law, fill_rows, present_law
+from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
 from kitemj.dynamics.engine import Array, Engine, body_of, build, place
-from kitemj.dynamics.motion import Motion, PerLine, Snapshot, State, air_of, angles_of
+from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
+from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
 from kitemj.dynamics.slack import TAUT, catch, release, run_out, slack_excess
-from kitemj.dynamics.straight import straight_body
+from kitemj.dynamics.straight import q_ddot_of, state_of, straight_body
 from kitemj.dynamics.taut import evaluate, settle, tensions
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
+from kitemj.physics.frames import world
+from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import Programme, control, line_motion
+from kitemj.physics.rig import TWO_LINES
+from kitemj.physics.steering import Control, Programme, Segment, control
+from kitemj.physics.vectors import Vector
 
 MAX_CATCHES = 8
 """In one step; what is left of the step then goes on without looking for more."""
@@ -164,12 +169,28 @@ def flown(
 
 
 @compiled
-def put(engine: Engine, parameters: Parameters, programme: Programme, state: State) -> None:
-    """The kite at `state` at t = 0 s, both lines straight."""
-    place(engine, straight_body(parameters, state.q, state.q_dot, control(programme, 0.0)))
+def put(
+    engine: Engine, parameters: Parameters, programme: Programme, t: float, state: State
+) -> None:
+    """The kite at `state` at time `t` [s], both lines straight."""
+    place(engine, straight_body(parameters, state.q, state.q_dot, control(programme, t)))
     for i in range(2):
         engine.eq_active[i], engine.softness[i] = 1, 0.0
-    settle(engine, parameters, programme, 0.0)
+    settle(engine, parameters, programme, t)
+
+
+@compiled
+def instant_at(
+    engine: Engine, parameters: Parameters, c: Control, t: float, state: State
+) -> Instant:
+    """The accelerations at `state`, the lines at `c`, time `t` [s]; the kite is left there."""
+    put(engine, parameters, Segment(t, c), t, state)
+    body, a = body_of(engine), engine.qacc
+    a_G_E, omega_dot_B = world(Vector(a[0], a[1], a[2])), Vector(a[3], a[4], a[5])
+    q_ddot = q_ddot_of(parameters, body, a_G_E, omega_dot_B)
+    wrench = aerodynamic_wrench(parameters, body.p_G_E, body.R_BE, body.v_G_E, body.omega_B, t)
+    pulls = tensions(engine, parameters, body)
+    return Instant(body, a_G_E, omega_dot_B, q_ddot, pulls, wrench)
 
 
 @compiled
@@ -181,11 +202,9 @@ def motion_at(engine: Engine, parameters: Parameters, programme: Programme, t: f
     ):  # R f is that of the step's last stage: 10⁻⁴, then 10⁻⁸ of its change is left
         evaluate(engine, parameters, programme, t)
     _keep(engine.softness_before, engine.softness)
-    body, c, y_A = body_of(engine), control(programme, t), parameters.kite.y_A
-    pull = tensions(engine, parameters, body)
-    lengths = PerLine(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length)
-    air = air_of(parameters, body, t)
-    return Motion(t, angles_of(parameters, body), body, c, lengths, pull, air)
+    body, c = body_of(engine), control(programme, t)
+    lines = straight_lines(parameters, body, c, tensions(engine, parameters, body))
+    return Motion(t, angles_of(parameters, body), body, c, lines, air_of(parameters, body, t))
 
 
 class MujocoFlight(NamedTuple):
@@ -222,9 +241,9 @@ class MujocoKite:
     as non-numbers, and `advance` says so with a FlightError.
     """
 
-    name = "mujoco"
+    name, rigs = "mujoco", (TWO_LINES,)
 
-    def __init__(self, parameters: Parameters, step: float = 0.002) -> None:
+    def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
         self.parameters, self.step = parameters, step
         self.t = 0.0
         self._model: Any
@@ -234,7 +253,20 @@ class MujocoKite:
     def start(self, state: State, programme: Programme) -> None:
         """Puts the kite at `state` at t = 0 s."""
         self.t = 0.0
-        put(self._engine, self.parameters, programme, state)
+        put(self._engine, self.parameters, programme, 0.0, state)
+
+    def at(self, state: State, control: Control, t: float) -> Instant:
+        """The instant at `state`."""
+        kept = self.snapshot()
+        now: Instant = instant_at(self._engine, self.parameters, control, t, state)
+        self.restore(kept)
+        return now
+
+    @property
+    def state(self) -> State:
+        """The present q and q̇."""
+        now: State = state_of(self.parameters, body_of(self._engine))
+        return now
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s]; raises FlightError where the numbers leave the finite."""
@@ -242,7 +274,9 @@ class MujocoKite:
         flown(self._engine, self.parameters, programme, self.t, steps, duration / steps)
         self.t += duration
         if not isfinite(self._engine.qpos[0]):
-            raise FlightError("mujoco", self.t, "the state is no longer finite; shorten --step", [])
+            raise FlightError(
+                "mujoco", self.t, "the state is no longer finite; a shorter step may help", []
+            )
 
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
@@ -281,6 +315,6 @@ class MujocoKite:
 
         The steps are the model's own; `tolerance` is for models with error control.
         """
-        rows = np.empty((len(times), COLUMNS))
+        rows = np.empty((len(times), TENSIONS + 2))
         flight = MujocoFlight(self._engine, self.parameters, programme, self.step)
         return rows[: fill_rows(flight, self.parameters, times, touch, rows)]

@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.batch import COLUMNS, carry_law, fill_rows, present_law
-from kitemj.dynamics.motion import Motion, PerLine, Snapshot, State, air_of, angles_of
+from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
+from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
+from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
 from kitemj.dynamics.newton_euler import (
     Free,
     accelerations,
@@ -18,11 +19,14 @@ from kitemj.dynamics.newton_euler import (
     placed,
     rates,
 )
+from kitemj.dynamics.straight import q_ddot_of, state_of
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Quaternion
+from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import Programme, control, line_motion
+from kitemj.physics.rig import TWO_LINES
+from kitemj.physics.steering import Control, Programme, Segment, control
 from kitemj.physics.vectors import Vector
 
 Array = NDArray[np.float64]
@@ -79,16 +83,19 @@ def put_rates(system: NewtonEulerSystem, t: float, x: Array, out: Array) -> None
 def motion_of(parameters: Parameters, programme: Programme, t: float, y: Free) -> Motion:
     """All that is told of one instant."""
     body, c = body_of(y), control(programme, t)
-    y_A = parameters.kite.y_A
-    return Motion(
-        t,
-        angles_of(parameters, body),
-        body,
-        c,
-        PerLine(line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length),
-        accelerations(parameters, programme, t, body).tensions,
-        air_of(parameters, body, t),
-    )
+    tensions = accelerations(parameters, programme, t, body).tensions
+    lines = straight_lines(parameters, body, c, tensions)
+    return Motion(t, angles_of(parameters, body), body, c, lines, air_of(parameters, body, t))
+
+
+@compiled
+def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> Instant:
+    """The accelerations at `state`, the lines at `c`, time `t` [s]."""
+    body = body_of(placed(parameters, Segment(0.0, c), state))
+    a_G_E, omega_dot_B, tensions = accelerations(parameters, Segment(t, c), t, body)
+    q_ddot = q_ddot_of(parameters, body, a_G_E, omega_dot_B)
+    wrench = aerodynamic_wrench(parameters, body.p_G_E, body.R_BE, body.v_G_E, body.omega_B, t)
+    return Instant(body, a_G_E, omega_dot_B, q_ddot, tensions, wrench)
 
 
 @carry_law.of(NewtonEulerFlight)
@@ -114,9 +121,9 @@ class NewtonEulerKite:
     `step` [s] is the longest step of `advance`; `trajectory` and `survey` choose their own.
     """
 
-    name = "newton-euler"
+    name, rigs = "newton-euler", (TWO_LINES,)
 
-    def __init__(self, parameters: Parameters, step: float = 0.002) -> None:
+    def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
         self.parameters, self.step = parameters, step
         self.t = 0.0
         self._y: Free
@@ -125,6 +132,17 @@ class NewtonEulerKite:
         """Puts the kite at `state` at t = 0 s, the lines moving as programmed."""
         self.t = 0.0
         self._y = placed(self.parameters, programme, state)
+
+    def at(self, state: State, control: Control, t: float) -> Instant:
+        """The instant at `state`."""
+        now: Instant = instant_at(self.parameters, control, t, state)
+        return now
+
+    @property
+    def state(self) -> State:
+        """The present q and q̇."""
+        now: State = state_of(self.parameters, body_of(self._y))
+        return now
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s] in equal Runge-Kutta steps, corrected after each."""
@@ -170,7 +188,7 @@ class NewtonEulerKite:
 
         `tolerance` bounds the error of each step in each of the 13 numbers.
         """
-        rows = np.empty((len(times), COLUMNS))
+        rows = np.empty((len(times), TENSIONS + 2))
         flight = self._adaptive(programme, tolerance)
         return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
 

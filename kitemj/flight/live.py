@@ -8,12 +8,12 @@ of clocks or screens.
 from math import isfinite
 from typing import NamedTuple
 
+from kitemj.dynamics.formulation import DEFAULT_STEP, make_model
 from kitemj.dynamics.motion import Motion, Snapshot, State
 from kitemj.errors import FlightError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.limits import Departure, Ending, departure_at, touches_ground
 from kitemj.flight.scenario import Scenario
-from kitemj.flight.simulate import DEFAULT_STEP, make_model
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, Segment, control, rest_ell
 

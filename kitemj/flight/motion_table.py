@@ -6,24 +6,21 @@ from pathlib import Path
 
 from kitemj.dynamics.motion import Motion
 from kitemj.files import new_file
+from kitemj.physics.rig import TWO_LINES, Rig
 
-COLUMNS = (
-    "t_s",
-    "phi_rad",
-    "gamma_rad",
-    "eta_rad",
-    "theta_rad",
-    "x_E_m",
-    "y_E_m",
-    "z_E_m",
-    "alpha_deg",
-    "beta_deg",
-    "tension_plus_N",
-    "tension_minus_N",
-    "length_plus_m",
-    "length_minus_m",
-)
-"""Of a table of motions; angles of the state in rad, α and β in degrees, axes E."""
+
+def columns_of(rig: Rig) -> tuple[str, ...]:
+    """Names of the columns; angles of the state in rad, α and β in degrees, axes E."""
+    return (
+        "t_s",
+        *(f"{name}_rad" for name in rig.coordinates),
+        *("x_E_m", "y_E_m", "z_E_m", "alpha_deg", "beta_deg"),
+        *(f"tension_{name}_N" for name in rig.lines),
+        *(f"length_{name}_m" for name in rig.lines),
+    )
+
+
+COLUMNS = columns_of(TWO_LINES)
 
 
 def write_csv(path: Path, motions: list[Motion], overwrite: bool = False) -> None:
@@ -35,7 +32,8 @@ def write_csv(path: Path, motions: list[Motion], overwrite: bool = False) -> Non
 
 
 def row(motion: Motion) -> list[float]:
-    """One motion in the order of `COLUMNS`."""
+    """One motion in the order of its rig's columns."""
     angles = [degrees(motion.air.alpha), degrees(motion.air.beta)]
     position = motion.body.p_G_E
-    return [motion.t, *motion.q, *position, *angles, *motion.tensions, *motion.lengths]
+    q = motion.q or ()
+    return [motion.t, *q, *position, *angles, *motion.tensions, *motion.lengths]

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kitemj.dynamics.formulation import make_model
 from kitemj.errors import FlightError
-from kitemj.flight.simulate import make_model
 from kitemj.physics.steering import Control, Segment
 from kitemj.recording.file import Recording
 from kitemj.recording.table import LIMITS, MOTION, STEERING, Columns, motion_row

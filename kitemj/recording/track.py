@@ -6,7 +6,7 @@ from math import floor, isfinite, radians
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.dynamics.motion import Body, Motion, PerLine, attachment_E
+from kitemj.dynamics.motion import Body, LineState, Motion, attachment_E
 from kitemj.flight.motion_table import COLUMNS
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import Air
@@ -17,6 +17,7 @@ from kitemj.recording.file import Recording
 from kitemj.recording.table import ATTITUDE, RATES, REFERENCE, STEERING, VELOCITY, Columns
 
 Array = NDArray[np.float64]
+O_E = Vector(0.0, 0.0, 0.0)
 
 
 class Track:
@@ -87,9 +88,8 @@ class Track:
         )
         ended = self._control(row, 1.0 if self._ticks[row] else 0.0)
         air = Air(radians(b[8]), radians(b[9]), b[14])
-        return Motion(
-            b[0], Angles(*b[1:5]), body, ended, PerLine(*b[12:14]), PerLine(*b[10:12]), air
-        )
+        lines = _lines(self.parameters, body, b[12:14], b[10:12])
+        return Motion(b[0], Angles(*b[1:5]), body, ended, lines, air)
 
 
 def between(parameters: Parameters, a: Motion, b: Motion, part: float, steering: Control) -> Motion:
@@ -101,12 +101,22 @@ def between(parameters: Parameters, a: Motion, b: Motion, part: float, steering:
         Vector(*_line(a.body.v_G_E, b.body.v_G_E, part)),
         Vector(*_line(a.body.omega_B, b.body.omega_B, part)),
     )
-    lengths = PerLine(*_line(a.lengths, b.lengths, part))
-    tensions = PerLine(*_line(a.tensions, b.tensions, part))
+    lengths, tensions = _line(a.lengths, b.lengths, part), _line(a.tensions, b.tensions, part)
     if min(*a.tensions, *b.tensions) > 0.0:  # taut lines are as long as they look
-        lengths = PerLine(*(norm(attachment_E(parameters, body, side)) for side in (1.0, -1.0)))
+        lengths = [norm(attachment_E(parameters, body, side)) for side in (1.0, -1.0)]
     air = Air(*_line(a.air, b.air, part))
-    return Motion(a.t + part * h, a.q, body, steering, lengths, tensions, air)
+    lines = _lines(parameters, body, lengths, tensions)
+    return Motion(a.t + part * h, a.q, body, steering, lines, air)
+
+
+def _lines(
+    parameters: Parameters, body: Body, lengths: Sequence[float], tensions: Sequence[float]
+) -> tuple[LineState, ...]:
+    """The lines that lead straight from O_E to the kite."""
+    return tuple(
+        LineState(length, tension, tension, (O_E, attachment_E(parameters, body, side)))
+        for side, length, tension in zip((1.0, -1.0), lengths, tensions, strict=True)
+    )
 
 
 def _matrix(columns: Columns, names: tuple[str, ...]) -> Array:

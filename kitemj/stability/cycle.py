@@ -21,7 +21,7 @@ from kitemj.flight.limits import Departure, departure_at
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, rest_ell
 from kitemj.stability.linearise import state_matrix, state_units
-from kitemj.stability.minimal import Array, Minimal, held, minimal, steps_for
+from kitemj.stability.minimal import Array, Minimal, held, steps_for
 from kitemj.stability.orbit import SAMPLES, Orbit, orbit
 from kitemj.stability.shooting import MOST_ROUNDS, STANDS, Closed, closed, monodromy, primitive
 from kitemj.stability.trim import trimmed
@@ -82,7 +82,7 @@ def cycle(
     """
     ell = rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
     x_eq, control = trimmed(parameters, ell, delta, source), held(ell, delta)
-    lagrange = minimal("lagrange", parameters)
+    lagrange = Minimal("lagrange", parameters)
     values, vectors = np.linalg.eig(state_matrix(lagrange, x_eq, control))
     worst = int(np.argmax(values.real))
     if values[worst].real <= 0:
@@ -105,7 +105,7 @@ def cycle(
         raise InputError(f"no cycle closes near the flight from the equilibrium ({source})")
     if model == "lagrange":
         return _told(lagrange, found, control, units)
-    kite = minimal(model, parameters)
+    kite = Minimal(model, parameters)
     M = monodromy(lagrange, found.x, found.period, control, steps_for(found.period), units)
     own = closed(kite, found.x, found.period, control, k, units, M)
     if own is None:

@@ -19,7 +19,7 @@ from kitemj.physics.frames import R_1E, Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell
 from kitemj.stability.linearise import Linear, linearise, state_matrix
-from kitemj.stability.minimal import held, minimal, state_of
+from kitemj.stability.minimal import Minimal, held, state_of
 from kitemj.stability.trim import trimmed
 from kitemj.stability.vary import check_range, unit_of, with_value
 
@@ -95,7 +95,7 @@ def stability(
     """
     x0 = trimmed(parameters, ell, delta, source)
     control = held(_ell(parameters, ell), delta)
-    linear = linearise(minimal(model, parameters), x0, control)
+    linear = linearise(Minimal(model, parameters), x0, control)
     V_ref = getattr(parameters.aero, "V_ref", None)
     return Stability(linear, modes(parameters, linear), V_ref)
 
@@ -124,7 +124,7 @@ def growth(
     """The least stable eigenvalue [1/s], imag >= 0; raises InputError without equilibrium."""
     x0 = trimmed(parameters, ell, delta)
     control = held(_ell(parameters, ell), delta)
-    values = np.linalg.eigvals(state_matrix(minimal(model, parameters), x0, control))
+    values = np.linalg.eigvals(state_matrix(Minimal(model, parameters), x0, control))
     worst = complex(values[np.argmax(values.real)])
     return complex(worst.real, abs(worst.imag))
 
@@ -170,7 +170,7 @@ def crossings(
         value = float(brentq(real, grid[i], grid[i + 1], xtol=1e-13, rtol=1e-12))
         there = with_value(parameters, name, value)
         x0, control = trimmed(there, ell, delta), held(_ell(there, ell), delta)
-        least = modes(there, linearise(minimal(model, there), x0, control))[0]
+        least = modes(there, linearise(Minimal(model, there), x0, control))[0]
         unit, above = unit_of(parameters, name), bool(reals[i + 1] < 0)
         omega, what = least.imag, least.name.rsplit(" ", 1)[0]
         mode = f"{what} {'swing' if omega > 0 else 'drift'}"

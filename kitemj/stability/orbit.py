@@ -5,10 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.dynamics.motion import Motion, PerLine, air_of
-from kitemj.physics.frames import Angles
-from kitemj.physics.steering import Control, line_motion
-from kitemj.stability.minimal import Array, Minimal, steps_for
+from kitemj.dynamics.motion import Motion
+from kitemj.physics.steering import Control
+from kitemj.stability.minimal import Array, Minimal
 
 SAMPLES = 480
 """Of one period; extremes are those of parabolas through three neighbours."""
@@ -55,22 +54,8 @@ class Orbit(NamedTuple):
 
 def orbit(kite: Minimal, x: Array, period: float, control: Control) -> Orbit:
     """The round from `x` (8,) of `period` [s], flown by `kite` with `control` held."""
-    h = period / SAMPLES
-    steps = steps_for(h)
-    motions = [motion(kite, x, 0.0, control)]
-    for i in range(1, SAMPLES + 1):
-        x = kite.flow(x, control, h, steps)
-        motions.append(motion(kite, x, i * h, control))
+    motions = kite.motions(x, control, period, SAMPLES)
     return Orbit(motions, *(range_of(column) for column in np.array(list(map(_row, motions))).T))
-
-
-def motion(kite: Minimal, x: Array, t: float, control: Control) -> Motion:
-    """The motion of `kite` at `x` (8,)."""
-    _, tensions, body = kite.answer(x, control)
-    y_A = kite.parameters.kite.y_A
-    lengths = PerLine(*(line_motion(y_A, control, side).length for side in (1.0, -1.0)))
-    air = air_of(kite.parameters, body, 0.0)
-    return Motion(t, Angles(*map(float, x[:4])), body, control, lengths, tensions, air)
 
 
 def range_of(values: Array) -> Range:
@@ -91,5 +76,5 @@ def _row(motion: Motion) -> list[float]:
     p, v, T = motion.body.p_G_E, motion.body.v_G_E, motion.tensions
     elevation, azimuth = atan2(-p.z, hypot(p.x, p.y)), atan2(p.y, -p.x)
     speed = hypot(v.x, v.y, v.z)
-    angles = [*motion.q, motion.air.alpha, motion.air.beta, elevation, azimuth]
-    return [*angles, p.x, p.y, -p.z, motion.air.speed, speed, *T, T.plus + T.minus]
+    angles = [*(motion.q or ()), motion.air.alpha, motion.air.beta, elevation, azimuth]
+    return [*angles, p.x, p.y, -p.z, motion.air.speed, speed, *T, sum(T)]

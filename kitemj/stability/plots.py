@@ -28,7 +28,7 @@ def trim_figure(trims: list[Trim]) -> Figure:
         label = (
             f"{trim.model}: α {degrees(trim.alpha):.2f}°, "
             f"elevation {degrees(trim.elevation):.1f}°, "
-            f"{trim.tensions.plus:.1f} N + {trim.tensions.minus:.1f} N"
+            f"{trim.tensions[0]:.1f} N + {trim.tensions[1]:.1f} N"
         )
         (line,) = ax.plot([0, back], [0, up], lw=1.2, label=label)
         half = 0.06 * trim.ell  # the kite itself would be too small to see
@@ -107,7 +107,7 @@ def cycle_figure(found: Cycle) -> Figure:
         ylabel="elevation [deg]",
         title=f"{stable} cycle, {found.period:.4f} s ({found.model})",
     )
-    q = np.degrees([motion.q for motion in motions])
+    q = np.degrees([motion.q or () for motion in motions])
     for column, name in zip(q.T, ("φ", "γ", "η", "θ"), strict=True):
         angles.plot(t, column, label=name)
     angles.set(xlabel="time [s]", ylabel="[deg]", title="coordinates")

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange_kite import motion_at
-from kitemj.dynamics.motion import PerLine, State, air_of
+from kitemj.dynamics.motion import State, air_of
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import check_steady, no_equilibrium, symmetric_equilibria
 from kitemj.flight.limits import Ending, departure_at, touches_ground
@@ -21,10 +21,9 @@ from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Programme, Segment, Sines, control, rest_ell
 from kitemj.stability.equilibrium_search import beside
-from kitemj.stability.minimal import Minimal, held, minimal, state_of
+from kitemj.stability.minimal import Minimal, held, state_of
 from kitemj.stability.scaled import residual
 
-MODELS = ("lagrange", "newton-euler", "mujoco")
 SAME = 1e-6
 """rad; two equilibria closer than this are one."""
 RESIDUAL = 1e-10
@@ -57,7 +56,7 @@ class Trim(NamedTuple):
     elevation: float
     azimuth: float
     height: float
-    tensions: PerLine
+    tensions: tuple[float, ...]
     residual: float
     ell: float
     delta: float
@@ -90,7 +89,7 @@ def equilibria(
     check_steady(parameters, source)
     if abs(delta) >= 1.5:
         raise InputError(f"delta must be within +-1.5 rad, got {delta} rad ({source})")
-    kite = minimal(model, parameters)
+    kite = Minimal(model, parameters)
     straight = [
         np.array([parameters.wind.azimuth, e.gamma, 0.0, e.theta])
         for e in symmetric_equilibria(parameters, ell)
@@ -225,7 +224,7 @@ def _steered(
     parameters: Parameters, ell: float, delta: float, q: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """The equilibrium `q` (4,) at δ = 0 led to `delta` [rad]; empty where it is lost."""
-    kite = minimal("lagrange", parameters)
+    kite = Minimal("lagrange", parameters)
     for part in np.linspace(0.0, 1.0, STEPS + 1)[1:]:
         trim = solved(kite, q, held(ell, float(part) * delta))
         if trim is None or not all(map(isfinite, trim.q)):

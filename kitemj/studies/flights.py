@@ -11,15 +11,14 @@ from kitemj.dynamics.batch import (
     ALPHA,
     BETA,
     CLEARANCE,
-    TENSION_MINUS,
-    TENSION_PLUS,
+    TENSIONS,
     Array,
     X,
     Z,
 )
+from kitemj.dynamics.formulation import make_model
 from kitemj.flight.limits import TOUCH, Ending
 from kitemj.flight.scenario import Scenario, scenario_of
-from kitemj.flight.simulate import make_model
 from kitemj.physics.parameters import Parameters
 from kitemj.studies.design import Point
 from kitemj.studies.study import Base, Settings
@@ -129,8 +128,8 @@ def _summary(scenario: Scenario, rows: Array) -> Row:
     summary: Row = {"ending": ending.name.lower(), "flown_s": times[len(rows) - 1]}
     summary |= _departure(scenario.parameters, rows, times)
     for name, column, scale in (
-        ("tension_plus_{}_N", TENSION_PLUS, 1.0),
-        ("tension_minus_{}_N", TENSION_MINUS, 1.0),
+        ("tension_plus_{}_N", TENSIONS, 1.0),
+        ("tension_minus_{}_N", TENSIONS + 1, 1.0),
         ("alpha_{}_deg", ALPHA, 180 / np.pi),
         ("beta_{}_deg", BETA, 180 / np.pi),
     ):
@@ -143,7 +142,7 @@ def _summary(scenario: Scenario, rows: Array) -> Row:
 def _departure(parameters: Parameters, rows: Array, times: list[float]) -> Row:
     """Which limit of validity is left first, and when; as `first_departure` of motions."""
     limits = parameters.limits
-    alpha, pull = rows[:, ALPHA], rows[:, TENSION_PLUS : TENSION_MINUS + 1].min(axis=1)
+    alpha, pull = rows[:, ALPHA], rows[:, TENSIONS:].min(axis=1)
     outside = {
         Ending.SLACK: pull <= 0.0,
         Ending.STALL: ~((alpha > 0.0) & (alpha < limits.alpha_stall)),
@@ -159,9 +158,7 @@ def _departure(parameters: Parameters, rows: Array, times: list[float]) -> Row:
 def _gap(scenario: Scenario, rows: Array, reference: Array) -> Row:
     """Largest distance [m] of the two, until a line of either is slack (see `compare`)."""
     n = min(len(rows), len(reference))
-    pulls = np.minimum(
-        rows[:n, TENSION_PLUS : TENSION_MINUS + 1], reference[:n, TENSION_PLUS : TENSION_MINUS + 1]
-    )
+    pulls = np.minimum(rows[:n, TENSIONS:], reference[:n, TENSIONS:])
     slack = (pulls <= 0.0).any(axis=1)
     n = int(slack.argmax()) if slack.any() else n
     if n == 0:

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
+from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MODELS
 from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
-from kitemj.flight.simulate import DEFAULT_STEP, MAX_STEP, MODELS
 from kitemj.physics.aerodynamics import LinearAero, TableAero
 from kitemj.physics.checked import checked, unknown_key
 from kitemj.physics.compiled import cache_folder
@@ -104,8 +104,8 @@ def _settings(given: Mapping[str, Any], source: str) -> Settings:
     settings = checked(Settings, numbers, "", source)
     for key in ("model", "reference"):
         model = getattr(settings, key)
-        if model not in MODELS and (key, model) != ("reference", ""):
-            raise InputError(f"there is no {key} {model!r}; there are: {', '.join(MODELS)}")
+        if (key, model) != ("reference", ""):
+            MODELS.check(model)
     return settings
 
 

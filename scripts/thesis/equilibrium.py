@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
-from kitemj.stability.trim import MODELS, equilibria
+from kitemj.stability.trim import equilibria
 from kitemj.stability.vary import with_value
 from kitemj.tables import Cell, Table
 from thesis.panels import panels
@@ -98,7 +98,7 @@ def standing_table() -> Table:
             alpha, gamma, theta, tension = by_equation(parameters)
             angles = map(degrees, (alpha, gamma, theta))
             rows.append((name, length, "scalar equation", *angles, tension, tension, 0.0))
-            for model in MODELS:
+            for model in ("lagrange", "newton-euler", "mujoco"):
                 [found] = equilibria(parameters, model=model)
                 angles = map(degrees, (found.alpha, found.q.gamma, found.q.theta))
                 gap = abs(degrees(found.alpha - alpha))

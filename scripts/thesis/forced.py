@@ -16,7 +16,7 @@ from kitemj.dynamics.lagrange_kite import flown
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Sines, rest_ell
 from kitemj.stability.linearise import state_units
-from kitemj.stability.minimal import Array, Lagrange, held, state_of
+from kitemj.stability.minimal import Array, Minimal, held, state_of
 from kitemj.stability.shooting import monodromy
 from kitemj.stability.trim import trimmed
 from kitemj.stability.vary import with_value
@@ -56,11 +56,11 @@ class Repeating(NamedTuple):
     growth: float
 
 
-class Steered(Lagrange):
+class Steered(Minimal):
     """Lagrange's equations under a swing; the control that is handed over says nothing."""
 
     def __init__(self, parameters: Parameters, swing: Swing) -> None:
-        super().__init__(parameters)
+        super().__init__("lagrange", parameters)
         self.programme = swing.programme(parameters)
 
     def flow(self, x: Array, control: Control, duration: float, steps: int = 0) -> Array:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from kitemj.dynamics.batch import ALPHA, BETA, TENSION_MINUS, TENSION_PLUS
+from kitemj.dynamics.batch import ALPHA, BETA, TENSIONS
 from kitemj.dynamics.batch import Array as Rows
 from kitemj.physics.parameters import Parameters
 from kitemj.stability.modes import stability
@@ -159,8 +159,8 @@ def steered_table() -> Table:
                     degrees(np.abs(end[:, BETA]).max()),
                     degrees(end[:, ALPHA].min()),
                     degrees(end[:, ALPHA].max()),
-                    float(end[:, TENSION_PLUS : TENSION_MINUS + 1].min()),
-                    float(end[:, TENSION_PLUS : TENSION_MINUS + 1].max()),
+                    float(end[:, TENSIONS:].min()),
+                    float(end[:, TENSIONS:].max()),
                 )
                 head = (swing.delta, swing.omega, length, value)
                 tail = (_valid(parameters, end), start_beta(length, swing))
@@ -173,7 +173,7 @@ def steered_table() -> Table:
 
 def _valid(parameters: Parameters, rows: Rows) -> bool:
     alpha, limits = rows[:, ALPHA], parameters.limits
-    pulls = rows[:, TENSION_PLUS : TENSION_MINUS + 1].min() > 0
+    pulls = rows[:, TENSIONS:].min() > 0
     inside = alpha.min() > 0 and alpha.max() < limits.alpha_stall
     return bool(pulls and inside and np.abs(rows[:, BETA]).max() < limits.beta_max)
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from kitemj.dynamics.batch import BETA
 from kitemj.dynamics.batch import Array as Rows
+from kitemj.dynamics.formulation import make_model
 from kitemj.flight.limits import TOUCH
-from kitemj.flight.simulate import make_model
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell

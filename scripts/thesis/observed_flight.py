@@ -10,9 +10,9 @@ from contextlib import contextmanager
 from threading import Event, Thread
 from typing import TYPE_CHECKING, NamedTuple
 
+from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.flight.live import TICK, Command
 from kitemj.flight.scenario import Scenario
-from kitemj.flight.simulate import DEFAULT_STEP
 from kitemj.realtime.process import FlightProcess
 from kitemj.realtime.worker import Setup, TickNews
 

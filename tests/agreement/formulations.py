@@ -8,16 +8,12 @@ from importlib import import_module
 from itertools import count
 from pathlib import Path
 from types import ModuleType
-from typing import NamedTuple
 
 import llvmlite.binding as llvm
-import numpy as np
 
 import kitemj.dynamics
-from kitemj.dynamics.motion import Body, PerLine
-from kitemj.flight.agreement import spatial_accelerations
-from kitemj.physics.frames import world
-from kitemj.physics.vectors import Vector
+from kitemj.dynamics.formulation import MODELS, Instant
+from kitemj.dynamics.motion import Body
 from tests.support import Case
 
 MODULES = {  # in the order of import
@@ -26,21 +22,11 @@ MODULES = {  # in the order of import
     "mujoco": ("straight", "engine", "taut", "slack", "mujoco_kite"),
 }
 KITE = {
-    "lagrange": ("lagrange_kite", "LagrangeKite"),
-    "newton-euler": ("newton_euler_kite", "NewtonEulerKite"),
-    "mujoco": ("mujoco_kite", "MujocoKite"),
+    name: place.removeprefix("kitemj.dynamics.").split(":")
+    for name, place in MODELS.shipped.items()
 }
 ROOM = "kitemj.dynamics."
 copies = count()
-
-
-class Instant(NamedTuple):
-    """What a formulation says of one moment."""
-
-    body: Body
-    a_G_E: np.ndarray
-    omega_dot_B: np.ndarray
-    tensions: PerLine
 
 
 class Formulation:
@@ -51,33 +37,13 @@ class Formulation:
         file, kite = KITE[name]
         self.kite = cache(getattr(modules[file], kite))  # one engine for each kite and step
 
-    def body(self, case: Case) -> Body:
-        """Pose and velocity at the case's start."""
-        parameters, (q, q_dot), segment = case
-        if self.name == "lagrange":
-            return self.modules["lagrange"].body(parameters, q, q_dot, segment.control)
-        if self.name == "newton-euler":
-            ne = self.modules["newton_euler"]
-            return ne.body_of(ne.placed(parameters, segment, case.state))
-        kite = self.kite(parameters)
-        kite.start(case.state, segment)
-        return self.modules["engine"].body_of(kite._engine)
-
     def at(self, case: Case) -> Instant:
-        """Accelerations and tensions at the case's start."""
-        parameters, (q, q_dot), segment = case
-        body = self.body(case)
-        if self.name == "lagrange":
-            now = self.modules["lagrange"].accelerations(parameters, segment.control, 0.0, q, q_dot)
-            a, alpha = spatial_accelerations(parameters, segment.control, case.state, now.q_ddot)
-            return Instant(body, a, alpha, now.tensions)
-        if self.name == "newton-euler":
-            now = self.modules["newton_euler"].accelerations(parameters, segment, 0.0, body)
-            return Instant(body, np.array(now.a_G_E), np.array(now.omega_dot_B), now.tensions)
-        kite = self.kite(parameters)
-        a_W, alpha = kite._engine.qacc[:3], kite._engine.qacc[3:].copy()
-        tensions = self.modules["taut"].tensions(kite._engine, parameters, body)
-        return Instant(body, np.array(world(Vector(*a_W))), alpha, tensions)
+        """The instant at the case's start."""
+        return self.kite(case.parameters).at(case.state, case.segment.control, 0.0)
+
+    def body(self, case: Case) -> Body:
+        """Pose and velocity there."""
+        return self.at(case).body
 
 
 def shipped(name: str) -> Formulation:

@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 
+from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.lagrange_kite import LagrangeKite
 from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.compare import compare_models, position_gap
 from kitemj.flight.ladder import ladder
 from kitemj.flight.scenario import Scenario, read_scenario
-from kitemj.flight.simulate import DEFAULT_STEP
 
 FILES = sorted((Path(__file__).parents[2] / "scenarios").glob("*.toml"))
 

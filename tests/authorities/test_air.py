@@ -4,8 +4,8 @@ from math import pi
 
 import pytest
 
+from kitemj.dynamics.formulation import MODELS, make_model
 from kitemj.dynamics.motion import State, energy
-from kitemj.flight.simulate import MODELS, make_model
 from kitemj.physics.frames import R_BE, Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters

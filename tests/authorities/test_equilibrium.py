@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from kitemj.dynamics.formulation import MODELS, make_model
 from kitemj.dynamics.motion import State
 from kitemj.flight.equilibrium import equilibrium
-from kitemj.flight.simulate import MODELS, make_model
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Segment

@@ -71,7 +71,8 @@ def test_right_stick_pulls_the_line_that_the_pilot_sees_on_the_right(window, pic
     motion = flight.kite.motion(flight.segment)
     assert script.stick_name == "gamepad"
     assert motion.control.delta > 0.1
-    assert motion.lengths.minus < 79.9 < 80.1 < motion.lengths.plus
+    left, right = motion.lengths
+    assert right < 79.9 < 80.1 < left
     picture.paint(motion, None, Readings(), "pilot")
     left, _ = picture.pixel(attachment_E(SCENARIO.parameters, motion.body, 1.0))
     right, _ = picture.pixel(attachment_E(SCENARIO.parameters, motion.body, -1.0))

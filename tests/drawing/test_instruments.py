@@ -20,18 +20,19 @@ from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.smooth import smooth_lines
 from kitemj.drawing.wind_window import FOOT, RADIUS, WindWindow, bearing
-from kitemj.dynamics.motion import Motion, PerLine
+from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import TICK
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
 from tests.drawing.test_picture import EQUILIBRIUM, LAKSA, motion_at
+from tests.support import pulling
 
 CALM = motion_at(LAKSA, EQUILIBRIUM)
 STALLED = CALM._replace(air=CALM.air._replace(alpha=radians(31)))
 SLIDING = CALM._replace(air=CALM.air._replace(beta=radians(-17)))
 SLACK = motion_at(LAKSA, EQUILIBRIUM, slack=1.0)
-OVER = CALM._replace(tensions=PerLine(700.0, 300.0))
+OVER = pulling(CALM, 700.0, 300.0)
 CRASHED = motion_at(LAKSA, Angles(0.0, pi / 2, 0.0, -0.3))
 
 

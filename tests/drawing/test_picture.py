@@ -24,13 +24,13 @@ from kitemj.drawing.readings import Readings
 from kitemj.drawing.scene import hanging
 from kitemj.drawing.scenery import ring_step
 from kitemj.drawing.text import put
-from kitemj.dynamics.motion import Body, Motion, PerLine
+from kitemj.dynamics.motion import Body, Motion, PerLine, straight_lines
 from kitemj.errors import InputError
 from kitemj.physics.frames import R_1E, R_BE, Angles
 from kitemj.physics.loads import air
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import Control, line_motion, rest_ell
+from kitemj.physics.steering import Control, rest_ell
 from kitemj.physics.vectors import Vector, minus, norm, plus, unrotated
 
 LAKSA = parameter_set("laksa")
@@ -52,16 +52,10 @@ def motion_at(parameters: Parameters, q: Angles, delta: float = 0.0, slack: floa
     still = Vector(0.0, 0.0, 0.0)
     body = Body(G, R_BE(q), still, still)
     control = Control(ell, 0.0, 0.0, delta, 0.0, 0.0)
-    lengths = [line_motion(kite.y_A, control, s).length for s in (1.0, -1.0)]
-    return Motion(
-        0.0,
-        q,
-        body,
-        control,
-        PerLine(lengths[0] + slack, lengths[1]),
-        PerLine(0.0 if slack else 43.8, 43.8),
-        air(parameters, G, body.R_BE, still, 0.0),
-    )
+    pulls = PerLine(0.0 if slack else 43.8, 43.8)
+    left, right = straight_lines(parameters, body, control, pulls)
+    lines = (left._replace(length=left.length + slack), right)
+    return Motion(0.0, q, body, control, lines, air(parameters, G, body.R_BE, still, 0.0))
 
 
 @pytest.fixture(scope="module")

@@ -323,12 +323,12 @@ def test_motion_tells_lengths_control_and_angles():
     kite = flight(LAKSA, HANGING, STEERING, 0.01)
     kite.advance(STEERING, 3.0)
     motion = kite.motion(STEERING)
-    L = motion.lengths
+    left, right = motion.lengths
     assert motion.control == control(STEERING, 3.0)
-    assert asin((L.plus**2 - L.minus**2) / (4 * STEERING.ell * 2.9)) == pytest.approx(
+    assert asin((left**2 - right**2) / (4 * STEERING.ell * 2.9)) == pytest.approx(
         motion.control.delta
     )
-    assert sqrt((L.plus**2 + L.minus**2) / 2 - 2.9**2) == pytest.approx(STEERING.ell)
+    assert sqrt((left**2 + right**2) / 2 - 2.9**2) == pytest.approx(STEERING.ell)
     again = ne.body_of(
         placed(LAKSA, Sines(STEERING.ell, motion.control.delta), State(motion.q, REST))
     )

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from kitemj.dynamics.formulation import MODELS
 from kitemj.flight.live import Command, LiveFlight
 from kitemj.flight.scenario import scenario_of
-from kitemj.flight.simulate import MODELS
 from tests.recording.flights import LOOPS, restless
 
 SPORT = {"set": "sport", "duration": 60.0}

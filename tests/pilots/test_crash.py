@@ -4,7 +4,7 @@ from math import atan2, cos, hypot, pi, radians, sin, sqrt
 
 import pytest
 
-from kitemj.dynamics.motion import Body, Motion, PerLine
+from kitemj.dynamics.motion import Body, Motion, PerLine, straight_lines
 from kitemj.flight.live import Command, LiveFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.frames import Angles
@@ -49,8 +49,8 @@ def motion_of(
                 lift = max(lift, R_BE.x.z * corner.x + R_BE.y.z * corner.y + R_BE.z.z * corner.z)
     body = Body(Vector(place.x, place.y, place.z - lift + 1e-3), R_BE, velocity, spin)
     still = Control(25.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    pull = PerLine(5.0, 5.0)
-    return Motion(t, Angles(0.0, 0.0, 0.0, 0.0), body, still, pull, pull, Air(0.2, 0.0, 5.0))
+    lines = straight_lines(SPORT, body, still, PerLine(5.0, 5.0))
+    return Motion(t, Angles(0.0, 0.0, 0.0, 0.0), body, still, lines, Air(0.2, 0.0, 5.0))
 
 
 def touched(*where: float, parameters: Parameters = SPORT, **how: Vector) -> Touch:

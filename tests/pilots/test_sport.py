@@ -134,7 +134,8 @@ def test_turns_to_the_hand_that_pulls(wind, side):
     assert min(azimuths) > -2.0, "never to speak of to the other side: -1.6 in the weakest wind"
     assert max(azimuths) > 8.0, "9° in the weakest wind, 20° in the others"
     assert side * flight.motions[-1].control.delta > 0
-    assert side * (flight.motions[-1].lengths.plus - flight.motions[-1].lengths.minus) > 0
+    left, right = flight.motions[-1].lengths
+    assert side * (left - right) > 0
 
 
 @pytest.mark.parametrize("wind", WINDS)

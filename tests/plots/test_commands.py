@@ -115,7 +115,7 @@ def test_limits_prints_and_writes_its_table(scenario, tmp_path, capsys):
     assert "never" in told
     with (tmp_path / "x.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    tensions = [motion.tensions.plus for motion in simulation().motions]
+    tensions = [motion.tensions[0] for motion in simulation().motions]
     assert float(rows[0]["largest"]) >= max(tensions) / 700.0
     assert float(rows[0]["smallest"]) <= min(tensions) / 700.0
     assert main([*words[:2], "--output", "x.json"]) == 0

@@ -70,8 +70,8 @@ def test_tensions_left_and_right(flight, motions):
     figure = FIGURES["tensions"](flight)
     for ax in (0, 1):
         left, right = figure.axes[ax].get_lines()[:2]
-        assert np.array_equal(left.get_ydata(), [m.tensions.plus for m in motions])
-        assert np.array_equal(right.get_ydata(), [m.tensions.minus for m in motions])
+        assert np.array_equal(left.get_ydata(), [m.tensions[0] for m in motions])
+        assert np.array_equal(right.get_ydata(), [m.tensions[1] for m in motions])
         assert left.get_linestyle() != right.get_linestyle()
     assert [line.get_ydata()[0] for line in figure.axes[0].get_lines()[2:]] == [0.0, 700.0]
 

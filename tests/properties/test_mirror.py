@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kitemj.dynamics.formulation import MODELS, make_model
 from kitemj.dynamics.motion import Motion, State
-from kitemj.flight.simulate import MODELS, make_model
 from kitemj.physics.frames import R_BE, Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters

@@ -3,8 +3,8 @@
 import pytest
 from hypothesis import given, settings
 
+from kitemj.dynamics.formulation import MODELS, make_model
 from kitemj.dynamics.motion import Motion, State
-from kitemj.flight.simulate import MODELS, make_model
 from kitemj.physics.frames import R_1E
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines

@@ -23,6 +23,7 @@ from kitemj.recording.recorder import timestamped_name
 from kitemj.recording.summary import parameters_in_words, summary
 from kitemj.recording.table import ALL, LIMITS, STEERING, STICK, beyond
 from tests.recording.flights import LOOPS, live_flight, recorded, recorder_of, restless, tick_of
+from tests.support import pulling
 
 CRASH_COSTS = 1.0
 """s; what the end of a program may cost. Batches are half a second apart."""
@@ -83,7 +84,7 @@ def test_limits_are_those_of_the_flight():
     flight = live_flight()
     still, p = flight.restart().motion, flight.parameters
     motions = [still]
-    motions += [still._replace(tensions=still.tensions._replace(minus=t)) for t in (0.0, 601.0)]
+    motions += [pulling(still, still.tensions[0], t) for t in (0.0, 601.0)]
     motions += [still._replace(air=still.air._replace(alpha=a)) for a in (-0.01, 0.0, 0.5)]
     motions += [still._replace(air=still.air._replace(beta=b)) for b in (-0.3, 0.3)]
     rows = np.array([row(motion) for motion in motions]).T

@@ -59,7 +59,7 @@ def test_one_bit_of_steering_is_noticed(calm):
 def test_another_step_and_unknown_models(calm):
     with pytest.raises(InputError, match="there is no model 'laksa'"):
         replay(calm, "laksa")
-    with pytest.raises(InputError, match="--step must be"):
+    with pytest.raises(InputError, match="step must be"):
         replay(calm, "lagrange", 3.0)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
+from kitemj.dynamics.formulation import MODELS
 from kitemj.errors import InputError
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
@@ -22,9 +23,9 @@ from kitemj.stability.linearise import (
     state_units,
 )
 from kitemj.stability.maps import stability_map
-from kitemj.stability.minimal import held, minimal
+from kitemj.stability.minimal import Minimal, held
 from kitemj.stability.modes import MOTIONS, Crossing, crossings, growth, stability
-from kitemj.stability.trim import MODELS, trimmed
+from kitemj.stability.trim import trimmed
 from kitemj.stability.vary import parameter_names, value_of, with_value
 
 LAKSA, THESIS = parameter_set("laksa"), parameter_set("thesis")
@@ -58,8 +59,8 @@ def test_eigenvalues_agree(parameters: Parameters, delta: float, model: str) -> 
 @pytest.mark.parametrize("model", SAME)
 def test_whole_linear_systems_agree(model: str) -> None:
     x0, control = trimmed(LAKSA, delta=0.05), held(ell_of(LAKSA), 0.05)
-    reference = linearise(minimal("lagrange", LAKSA), x0, control)
-    other = linearise(minimal(model, LAKSA), x0, control)
+    reference = linearise(Minimal("lagrange", LAKSA), x0, control)
+    other = linearise(Minimal(model, LAKSA), x0, control)
     for block in "ABCD":
         a, b = getattr(other, block), getattr(reference, block)
         assert np.abs(a - b).max() < 1e-8 * np.abs(b).max(), block
@@ -99,7 +100,7 @@ def test_the_shown_error_is_not_a_blank_cheque() -> None:
 def test_the_shown_error_of_A_covers_a_finer_method() -> None:
     # a stencil of eighth order at another step; its own error is below 1e-12 of A
     parameters, x0 = THESIS, trimmed(THESIS)
-    control, kite = held(ell_of(parameters)), minimal("lagrange", THESIS)
+    control, kite = held(ell_of(parameters)), Minimal("lagrange", THESIS)
     linear = linearise(kite, x0, control)
     h, columns = 1e-2, []
     for unit, e in zip(state_units(parameters, control.ell), np.eye(8), strict=True):
@@ -118,8 +119,8 @@ def test_the_shown_error_of_A_covers_a_finer_method() -> None:
 @pytest.mark.parametrize("model", MODELS)
 def test_a_small_disturbance_flies_as_A_says(model: str) -> None:
     x0, control = trimmed(LAKSA), held(ell_of(LAKSA))
-    kite = minimal(model, LAKSA)
-    A = linearise(minimal("lagrange", LAKSA), x0, control).A
+    kite = Minimal(model, LAKSA)
+    A = linearise(Minimal("lagrange", LAKSA), x0, control).A
     e = 1e-5 * state_units(LAKSA, control.ell) * (1, -1, 1, 1, -1, 1, 1, -1)
     flown = kite.flow(x0 + e, control, 3.0) - x0
     assert flown == pytest.approx(expm(3.0 * A) @ e, rel=1e-3, abs=1e-8)
@@ -128,7 +129,7 @@ def test_a_small_disturbance_flies_as_A_says(model: str) -> None:
 @pytest.mark.parametrize(("du", "size"), [("ell", 1e-2), ("delta", 1e-4)])
 def test_a_small_step_of_the_lines_flies_as_B_says(du: str, size: float) -> None:
     x0, control = trimmed(THESIS), held(ell_of(THESIS))
-    kite = minimal("lagrange", THESIS)
+    kite = Minimal("lagrange", THESIS)
     linear = linearise(kite, x0, control)
     u = np.zeros(6)
     u[INPUTS.index(du)] = size
@@ -142,8 +143,8 @@ def test_a_small_step_of_the_lines_flies_as_B_says(du: str, size: float) -> None
 @pytest.mark.parametrize("name", INPUTS)
 def test_B_and_D_are_the_slopes_of_rates_and_outputs(name: str) -> None:
     x0, control = trimmed(LAKSA, delta=0.05), held(ell_of(LAKSA), 0.05)
-    kite = minimal("newton-euler", LAKSA)
-    linear = linearise(minimal("lagrange", LAKSA), x0, control)
+    kite = Minimal("newton-euler", LAKSA)
+    linear = linearise(Minimal("lagrange", LAKSA), x0, control)
     j, h = INPUTS.index(name), 1e-4
     u = h * np.eye(6)[j]
     after, before = (
@@ -179,7 +180,7 @@ def test_flights_beside_the_threshold_fade_and_grow_at_its_frequency(
     period, control = 2 * pi / found.omega, held(ell_of(parameters))
     for factor, grows in ((0.99, False), (1.01, True)):
         there = with_value(parameters, "aero.Cl_beta", factor * found.value)
-        kite, x0 = minimal("lagrange", there), trimmed(there)
+        kite, x0 = Minimal("lagrange", there), trimmed(there)
         x = x0 + np.array([1e-4, 0, 0, 0, 0, 0, 0, 0])
         later = kite.flow(x, control, 10 * period)
         values, left = np.linalg.eig(linearise(kite, x0, control).A.T)

@@ -91,7 +91,7 @@ def test_a_row_says_what_simulate_and_compare_say(study, plain):
     scenario = scenario_of(tables, "x")
     flight = simulate(scenario, "mujoco", settings.step)
     reference = simulate(scenario, "newton-euler")
-    pulls = [motion.tensions.plus for motion in flight.motions]
+    pulls = [motion.tensions[0] for motion in flight.motions]
     betas = [motion.air.beta for motion in flight.motions]
     assert (row["wind.speed"], row["steering.delta_amplitude_deg"]) == (8.0, 6.0)
     assert row["ending"] == "finished"

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from thesis.ode45 import solved
 
+from kitemj.dynamics.formulation import make_model
 from kitemj.flight.scenario import scenario_of
-from kitemj.flight.simulate import make_model
 from kitemj.physics.steering import Control, Segment, control, rest_ell
 
 SCENARIO = scenario_of({"set": "thesis", "duration": 1.0}, "test")

@@ -10,7 +10,7 @@ from thesis import limits_of_steering_tables as tables
 from thesis.forced import STEP, Steered, Swing, repeating, settled, threshold
 from thesis.programmed_steering import FULL, flown_live, moved, scenario, squares, sticks
 
-from kitemj.dynamics.batch import ALPHA, BETA, TENSION_MINUS, TENSION_PLUS
+from kitemj.dynamics.batch import ALPHA, BETA, TENSIONS
 from kitemj.flight.live import TICK
 from kitemj.physics.steering import control, line_motion, rest_ell
 from kitemj.stability.minimal import held
@@ -92,7 +92,7 @@ def test_beta_is_what_the_hand_changes_most_in_parts_of_the_limits(case):
     rows, given = limits.flight(80.0, limits.CASES[case], FULL), scenario(80.0).parameters.limits
     beta = np.ptp(np.abs(rows[:, BETA])) / given.beta_max
     assert beta > 2 * np.ptp(rows[:, ALPHA]) / given.alpha_stall
-    for side in (TENSION_PLUS, TENSION_MINUS):
+    for side in (TENSIONS, TENSIONS + 1):
         assert beta > 2 * np.ptp(rows[:, side]) / given.tension_max
 
 
@@ -104,7 +104,7 @@ def test_the_way_of_the_hands_matters_most_then_their_rate():
 
 def test_sudden_hands_meet_slack_lines_long_before_the_limit_of_beta():
     rows = limits.flight(80.0, limits.Case(0.1, 1.0, 10.0), FULL)
-    assert rows[:, TENSION_PLUS : TENSION_MINUS + 1].min() < 0.0
+    assert rows[:, TENSIONS:].min() < 0.0
     assert degrees(np.abs(rows[:, BETA]).max()) < 5.0
 
 
