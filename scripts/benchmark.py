@@ -10,7 +10,6 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from timing import interleaved, machine, program, ratios, resident, seconds, spread, table
 
 from kitemj.dynamics import lagrange_kite, mujoco_kite, newton_euler_kite
 from kitemj.dynamics.adaptive import right_side
@@ -23,6 +22,7 @@ from kitemj.mujoco_import import mujoco
 from kitemj.physics.compiled import compiled
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.vectors import Vector
+from timing import interleaved, machine, program, ratios, resident, seconds, spread, table
 
 ROOT = Path(__file__).parent.parent
 STEER = read_scenario(ROOT / "scenarios" / "steer_200m.toml")

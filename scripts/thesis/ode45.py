@@ -29,7 +29,7 @@ Steering = Callable[[float], Control]
 Array = NDArray[np.float64]
 
 
-class Solved(NamedTuple):
+class Solution(NamedTuple):
     """The motion at the start and at the end of each tick, and what it cost.
 
     Fewer motions than that where the solver gave up. `evaluations` of the right-hand side,
@@ -42,14 +42,14 @@ class Solved(NamedTuple):
     smallest: float
 
 
-def solved(
+def solve(
     parameters: Parameters,
     start: State,
     steering: Sequence[Steering],
     tick: float,
     rtol: float = RTOL,
     atol: float = ATOL,
-) -> Solved:
+) -> Solution:
     """Lagrange's equations from `start` through one `steering` for each `tick` [s]."""
     from scipy.integrate import RK45
 
@@ -81,7 +81,7 @@ def solved(
             break
         x = solver.y
         motions.append(_motion(parameters, law, end, x))
-    return Solved(motions, evaluations, attempts - steps, smallest)
+    return Solution(motions, evaluations, attempts - steps, smallest)
 
 
 def _motion(parameters: Parameters, law: Steering, t: float, x: Array) -> Motion:
