@@ -1,4 +1,4 @@
-"""How well this machine flies in real time: ticks, frames, memory, and the way of the stick.
+"""`kitemj realtime`: measures ticks, frames, memory, and the delay from stick to picture.
 
 The loop that is measured is `fly`'s own. The way of the stick is measured at both its ends:
 the tick that first flies a new command, and the first frame in which the knob's pointer is
@@ -67,11 +67,11 @@ class Watched:
 
     @property
     def message(self) -> str:
-        """What the person should know."""
+        """The message of the screen within."""
         return self._screen.message
 
     def poll(self) -> None:
-        """Looks at what the person did since."""
+        """Takes in what the person did since."""
         self._screen.poll()
 
     def show(self, frame: Frame, wall: float) -> None:
@@ -105,7 +105,15 @@ def endured(
     duration: float,
     called: float | None = None,
 ) -> tuple[Summary, Watched]:
-    """A flight of `duration` [s] with `stick` at `screen`; `called` as for `fly`."""
+    """A flight measured: what `fly` tells of it, and the times of its frames.
+
+    physics: the flight in real time, not yet started
+    picture: paints the frames
+    screen: shows them
+    stick: steers
+    duration: s of wall time
+    called: s by perf_counter, since when the first frame is waited for; None: now
+    """
     watched = Watched(screen, stick, physics)
     return fly(physics, picture, watched, duration, called), watched
 
@@ -136,7 +144,7 @@ class SteppingStick:
         self.steps: list[Step] = []
 
     def command(self, motion: Motion) -> Command:
-        """Where the stick is now."""
+        """The command now."""
         now = time.perf_counter()
         if now >= self._next:
             self._next = now + self._random.uniform(0.3, 0.8)
@@ -153,7 +161,7 @@ class WatchedProcess(FlightProcess):
         self._stick = stick
 
     def update(self) -> list[TickNews]:
-        """Looks through what was flown."""
+        """Takes in the ticks flown since, and tells the stick of its moves among them."""
         heard = super().update()
         for step in self._stick.steps[-1:]:
             for news in heard:
@@ -192,7 +200,7 @@ class PointerScreen(Watched):
 def steps_of_the_stick(
     setup: Setup, picture: Picture, screen: Screen, duration: float
 ) -> list[Step]:
-    """All moves of the stick in a flight of `duration` [s] but the last, which may be cut."""
+    """The moves of the stick in a flight of `duration` [s], but the last, which may be cut."""
     stick = SteppingStick()
     physics = WatchedProcess(setup, stick)
     physics.wait()

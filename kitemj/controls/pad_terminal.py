@@ -1,4 +1,4 @@
-"""A person at a terminal with a pad in the hand: which one it is, what it says, what it means."""
+"""`kitemj pad` at a terminal: lists pads, shows what they send, asks for a layout."""
 
 import os
 import sys
@@ -29,7 +29,7 @@ SETTLED = 1.0
 
 @contextmanager
 def plugged_in() -> Iterator[list[Any]]:
-    """All joysticks, without a window; raises InputError where there is none."""
+    """All joysticks that are plugged in; raises InputError where there is none."""
     os.environ["SDL_VIDEODRIVER"] = "dummy"
     os.environ["SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS"] = "1"
     pygame.display.init()
@@ -59,7 +59,7 @@ def listed(pads: list[Any], settings: Settings, path: Path) -> str:
 
 
 def show(pads: list[Any], settings: Settings) -> None:
-    """What every pad says, ten times a second and more, until Ctrl-C."""
+    """Shows the state of every pad, ten times a second and more, until Ctrl-C."""
     with Live(refresh_per_second=20) as live:
         while True:
             happened()
@@ -69,7 +69,7 @@ def show(pads: list[Any], settings: Settings) -> None:
 
 
 def said(pad: Any, layout: Layout | None) -> str:
-    """What a joystick says now, in a few lines, and what its layout makes of that."""
+    """The state of a joystick now and its deflections by `layout`, in a few lines."""
     now = Reading.of(pad)
     down = [str(i) for i, pressed in enumerate(now.buttons) if pressed]
     lines = [
@@ -87,7 +87,7 @@ def said(pad: Any, layout: Layout | None) -> str:
 
 
 def choose(pads: list[Any]) -> tuple[Any, Reading]:
-    """The only pad, else the one that is moved; and what it says at rest."""
+    """The only pad, else the one that is moved; and its reading at rest."""
     print("let go of all sticks and buttons")
     for _ in range(round(SETTLED / LOOK)):
         time.sleep(LOOK)
@@ -111,7 +111,7 @@ def ask(
     tell: Callable[[str], None],
     clock: Callable[[], float] = time.monotonic,
 ) -> Layout:
-    """Asks until all is answered or D is `typed`; `rest` is what the pad says untouched.
+    """Asks until all is answered or D is `typed`; `rest` is the pad's reading untouched.
 
     Raises InputError where the pad goes away, or no stick was found.
     """
@@ -139,7 +139,7 @@ def ask(
 
 
 def happened() -> list[pygame.event.Event]:
-    """Reads all events; SDL makes one of the signal that asks a process to end."""
+    """Returns all events; KeyboardInterrupt for the one that SDL makes of a signal to end."""
     told = events()
     if any(event.type == pygame.QUIT for event in told):
         raise KeyboardInterrupt
@@ -147,7 +147,7 @@ def happened() -> list[pygame.event.Event]:
 
 
 def typed_lines() -> "SimpleQueue[str]":
-    """Lines as they are typed, read beside us.
+    """A queue of lines as they are typed, filled by a thread.
 
     From the file itself: a thread that waits inside Python's own reader would hold its lock
     when the command ends.

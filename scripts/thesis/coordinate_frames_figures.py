@@ -189,7 +189,15 @@ def _arrow(ax: Any, start: Array, way: Array, frame: str, letter: str) -> None:
 
 
 def _arc(ax: Any, centre: Array, a: Array, b: Array, radius: float, label: str) -> None:
-    """An arc from the direction of `a` to that of `b`, the short way."""
+    """Draws an arc from one direction to another, the short way.
+
+    ax: the axes
+    centre: (2,) m, its middle
+    a: (2,) direction where it begins
+    b: (2,) direction where it ends
+    radius: m
+    label: what is written beside it
+    """
     start = float(np.arctan2(a[1], a[0]))
     turn = (float(np.arctan2(b[1], b[0])) - start + np.pi) % (2 * np.pi) - np.pi
     bow = [

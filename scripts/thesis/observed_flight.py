@@ -83,10 +83,14 @@ def observe(
     stick: "Stick | None" = None,
     mover: StickMover | None = None,
 ) -> ObservedFlight:
-    """So many `ticks` from the start on, or until the kite touches the ground.
+    """Flies from the start on, until the ticks are over or the kite touches the ground.
 
-    The picture is opened once the flight has begun and paints every `interval` [s], or as soon as
-    that can be done. The `stick` is read before each frame; a `mover` moves by itself.
+    physics: the flight, paused
+    ticks: how many
+    open_picture: opens what paints, once the flight has begun; None: nothing is painted
+    interval: s between frames, or as soon as that can be done
+    stick: read before each frame; None: the stick rests
+    mover: moves the stick by itself; None: nobody does
     """
     lost = physics.times.lost
     _restart(physics)

@@ -50,7 +50,15 @@ def solve(
     rtol: float = RTOL,
     atol: float = ATOL,
 ) -> Solution:
-    """Lagrange's equations from `start` through one `steering` for each `tick` [s]."""
+    """Lagrange's equations solved, one steering for each tick.
+
+    parameters: the set
+    start: q [rad] and q̇ [rad/s]
+    steering: for each tick the control by time [s]
+    tick: s
+    rtol: relative tolerance of a step
+    atol: absolute tolerance of a step, rad and rad/s
+    """
     from scipy.integrate import RK45
 
     x, step, smallest = np.array([*start.q, *start.q_dot]), tick, tick
