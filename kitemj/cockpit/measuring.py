@@ -53,7 +53,7 @@ class NoScreen:
         """Nothing was opened."""
 
 
-class Watched:
+class TimedScreen:
     """A screen whose frames are timed: `times` [s], and peak `memory` [MB] at some of them.
 
     The memory is that of both processes.
@@ -97,14 +97,14 @@ class Watched:
         return settled[-1] - settled[0] if settled else float("nan")
 
 
-def endured(
+def timed_flight(
     physics: FlightProcess,
     picture: Picture,
     screen: Screen,
     stick: Stick,
     duration: float,
     called: float | None = None,
-) -> tuple[Summary, Watched]:
+) -> tuple[Summary, TimedScreen]:
     """A flight measured: what `fly` tells of it, and the times of its frames.
 
     physics: the flight in real time, not yet started
@@ -114,8 +114,8 @@ def endured(
     duration: s of wall time
     called: s by perf_counter, since when the first frame is waited for; None: now
     """
-    watched = Watched(screen, stick, physics)
-    return fly(physics, picture, watched, duration, called), watched
+    timed = TimedScreen(screen, stick, physics)
+    return fly(physics, picture, timed, duration, called), timed
 
 
 @dataclass
@@ -153,7 +153,7 @@ class SteppingStick:
         return Command(self._side * DEFLECTION)
 
 
-class WatchedProcess(FlightProcess):
+class StickTimingProcess(FlightProcess):
     """A flight that tells `stick` which of its moves each tick flew."""
 
     def __init__(self, setup: Setup, stick: SteppingStick) -> None:
@@ -171,7 +171,7 @@ class WatchedProcess(FlightProcess):
         return heard
 
 
-class PointerScreen(Watched):
+class PointerScreen(TimedScreen):
     """Looks at the knob in each frame."""
 
     def __init__(
@@ -197,12 +197,10 @@ class PointerScreen(Watched):
         return float(columns.mean()) - HUB[0] * self._u if len(columns) else 0.0
 
 
-def steps_of_the_stick(
-    setup: Setup, picture: Picture, screen: Screen, duration: float
-) -> list[Step]:
+def stick_steps(setup: Setup, picture: Picture, screen: Screen, duration: float) -> list[Step]:
     """The moves of the stick in a flight of `duration` [s], but the last, which may be cut."""
     stick = SteppingStick()
-    physics = WatchedProcess(setup, stick)
+    physics = StickTimingProcess(setup, stick)
     physics.wait()
     instruments = Instruments(physics.parameters, picture.width, picture.height)
     fly(physics, picture, PointerScreen(screen, stick, physics, instruments), duration)

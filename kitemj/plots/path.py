@@ -11,11 +11,11 @@ from kitemj.physics.frames import R_BE, Angles
 from kitemj.plots.flight import Array, Flight
 from kitemj.plots.sheet import (
     LEFT_WING,
-    LETTERING,
     MINUS,
     PLUS,
     RIGHT_WING,
     SMALL,
+    TEXT_SIZE,
     LineStyle,
     foot,
     parts_of_way,
@@ -54,9 +54,9 @@ def path_figure(flight: Flight) -> Figure:
         wings = _draw_kite(ax, flight, int(row))
     _draw_frame(ax, flight, size)
     ax.tick_params(labelsize=SMALL)
-    ax.set_xlabel("$x_E$, into the wind [m]", fontsize=LETTERING)
-    ax.set_ylabel("$-y_E$, to the right [m]", fontsize=LETTERING)
-    ax.set_zlabel("$-z_E$, height [m]", fontsize=LETTERING)
+    ax.set_xlabel("$x_E$, into the wind [m]", fontsize=TEXT_SIZE)
+    ax.set_ylabel("$-y_E$, to the right [m]", fontsize=TEXT_SIZE)
+    ax.set_zlabel("$-z_E$, height [m]", fontsize=TEXT_SIZE)
     foot(figure, drawn + wings)
     return figure
 
@@ -95,7 +95,7 @@ def _draw_frame(ax: Any, flight: Flight, size: float) -> None:
     """Draws x_E, y_E, z_E at O_E, arrows of `size` [m], and the wind beside them."""
     for axis, name in zip(np.diag(UPRIGHT) * size, ("$x_E$", "$y_E$", "$z_E$"), strict=True):
         ax.quiver(0, 0, 0, *axis, color="black", linewidth=1.0, arrow_length_ratio=0.12)
-        ax.text(*(1.25 * axis), name, fontsize=LETTERING)
+        ax.text(*(1.25 * axis), name, fontsize=TEXT_SIZE)
     wind = flight.parameters.wind
     blows = 1.5 * size * np.array([-cos(wind.azimuth), -sin(wind.azimuth), 0.0]) * UPRIGHT
     start = np.array([0.3 * size, 0.8 * size, 0.0])

@@ -1,6 +1,6 @@
 """The layout that figures share: as wide as the text of an A4 page, readable in grey.
 
-What a colour tells, a kind of line tells as well; no lettering is below 8 pt. Red is the
+What a colour tells, a kind of line tells as well; no text is below 8 pt. Red is the
 pilot's left, A₊, and blue the right, A₋, as on the kite.
 """
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 WIDTH = 7.0
 """inches; an A4 page less its margins."""
-LETTERING, SMALL = 9.0, 8.0  # pt
+TEXT_SIZE, SMALL = 9.0, 8.0  # pt
 LINE = 105  # letters of the small kind, across
 
 LEFT, RIGHT = "#D0101A", "#1A3DF2"
@@ -50,7 +50,7 @@ def sheet(title: str, height: float) -> Figure:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(WIDTH, height), layout="constrained")
-    figure.suptitle(title, fontsize=LETTERING + 1)
+    figure.suptitle(title, fontsize=TEXT_SIZE + 1)
     return figure
 
 
@@ -63,7 +63,7 @@ def time_sheet(flight: Flight, title: str, rows: int, height: float) -> tuple[Fi
         plain(ax)
         _shade(ax, flight)
     axes[0].set_xlim(t[0], t[-1] if t[-1] > t[0] else t[0] + 1.0)
-    axes[-1].set_xlabel("time [s]", fontsize=LETTERING)
+    axes[-1].set_xlabel("time [s]", fontsize=TEXT_SIZE)
     figure.align_ylabels(axes)
     name_greys(figure, flight)
     return figure, axes
@@ -78,7 +78,7 @@ def plain(ax: Axes) -> None:
 
 def name_axis(ax: Axes, quantity: str, unit: str) -> None:
     """Names the vertical axis."""
-    ax.set_ylabel(f"{quantity} [{unit}]", fontsize=LETTERING)
+    ax.set_ylabel(f"{quantity} [{unit}]", fontsize=TEXT_SIZE)
 
 
 def curve(ax: Axes, flight: Flight, values: Array, style: LineStyle) -> None:

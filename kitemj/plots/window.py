@@ -11,9 +11,9 @@ from kitemj.plots.flight import Array, Flight
 from kitemj.plots.path import POSITION, attitude
 from kitemj.plots.sheet import (
     LEFT_WING,
-    LETTERING,
     RIGHT_WING,
     SMALL,
+    TEXT_SIZE,
     foot,
     name_axis,
     parts_of_way,
@@ -47,7 +47,7 @@ def window_figure(flight: Flight) -> Figure:
             ax.plot(*_unbroken(seen[rows]).T, **style._asdict())[0]
             for rows, style in parts_of_way(flight)
         ]
-        ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=LETTERING)
+        ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=TEXT_SIZE)
         name_axis(ax, "elevation", "deg")
     whole.set(xlim=(-90, 90), ylim=(min(0.0, float(np.nanmin(seen[:, 1]))), 90), aspect="equal")
     whole.set_xticks(range(-90, 91, 30))

@@ -71,7 +71,7 @@ def record_flight(path: Path, seconds: float) -> Recording:
 
 
 def segments_of(recording: Recording) -> list[Segment]:
-    """What was flown in each tick; the recording must have one leg."""
+    """What was flown in each tick; the recording must have one episode."""
     tick = recording.header.tick
     rows = np.column_stack([recording.columns[name] for name in STEERING])[1:]
     return [Segment(k * tick, Control(*row)) for k, row in enumerate(rows.tolist())]

@@ -1,4 +1,4 @@
-"""Watching: a flight from its start, every tick once, frames at their interval."""
+"""An observed flight: from its start, every tick once, frames at their interval."""
 
 from typing import ClassVar
 
