@@ -62,7 +62,7 @@ class PadSource(NamedTuple):
             value = joystick.get_button(self.second) - joystick.get_button(self.number)
         return self.sign * max(-1.0, min(1.0, float(value)))
 
-    def told(self, event: pygame.event.Event) -> float | None:
+    def value_in(self, event: pygame.event.Event) -> float | None:
         """Where the source is by `event`, in -1..1; None where the event is of something else.
 
         A button that is pressed and let go between two looks is seen in events only.

@@ -12,7 +12,7 @@ from pygame._sdl2 import controller
 from kitemj.controls.notices import Notices
 from kitemj.controls.pad_layout import PRESSED, Layout
 from kitemj.controls.settings import Settings
-from kitemj.controls.stick_mapping import REST, Deflections, felt
+from kitemj.controls.stick_mapping import REST, Deflections, shaped_deflection
 
 FULL = 32767
 STANDARD = {
@@ -47,12 +47,12 @@ def events() -> list[pygame.event.Event]:
     As pygame.event.get, which in pygame 2.6 fails, and drops everything, over a pad that came
     and went between two looks.
     """
-    told: list[pygame.event.Event] = []
+    found: list[pygame.event.Event] = []
     try:
-        told += pygame.event.get(PLUGGED)
+        found += pygame.event.get(PLUGGED)
     except SystemError:
-        told.append(pygame.event.Event(pygame.JOYDEVICEADDED))  # so that pads are looked for
-    return told + pygame.event.get(pump=False)
+        found.append(pygame.event.Event(pygame.JOYDEVICEADDED))  # so that pads are looked for
+    return found + pygame.event.get(pump=False)
 
 
 class Pad(Protocol):
@@ -108,7 +108,7 @@ class LaidOutPad:
         """The actions of the layout, each when its source goes down."""
         asked = []
         for name, source in self._layout.buttons.items():
-            value = source.told(event)
+            value = source.value_in(event)
             if value is None:
                 continue
             if value <= PRESSED:
@@ -149,7 +149,8 @@ class Pads:
         pad, feel, invert = self.steering, self._settings.feel, self._settings.invert
         if pad is None:
             return REST
-        hands = Deflections(*(felt(way, feel.dead_zone, feel.expo) for way in pad.hands()))
+        ways = (shaped_deflection(way, feel.dead_zone, feel.expo) for way in pad.hands())
+        hands = Deflections(*ways)
         return hands._replace(
             steer=-hands.steer if invert.steer else hands.steer,
             reel=-hands.reel if invert.reel else hands.reel,

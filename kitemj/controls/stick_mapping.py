@@ -25,7 +25,7 @@ class Deflections(NamedTuple):
 REST = Deflections()
 
 
-def felt(deflection: float, dead_zone: float, expo: float) -> float:
+def shaped_deflection(deflection: float, dead_zone: float, expo: float) -> float:
     """The deflection after dead zone and curve: odd in it, 0 within the dead zone, ±1 at the ends.
 
     What is left of the way, x in 0..1, becomes (1 - expo) x + expo x³.
