@@ -10,7 +10,6 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from timing import interleaved, machine, program, ratios, resident, seconds, spread, table
 
 from kitemj.dynamics import lagrange_kite, mujoco_kite, newton_euler_kite
 from kitemj.dynamics.adaptive import right_side
@@ -23,6 +22,7 @@ from kitemj.mujoco_import import mujoco
 from kitemj.physics.compiled import compiled
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.vectors import Vector
+from timing import interleaved, machine, program, ratios, resident, seconds, spread, table
 
 ROOT = Path(__file__).parent.parent
 STEER = read_scenario(ROOT / "scenarios" / "steer_200m.toml")
@@ -72,15 +72,15 @@ def step(rounds: int) -> list[str]:
 
 def precision(rounds: int, figure: Path) -> list[str]:
     """Largest error in 60 s of the reference scenario over the time that it takes."""
-    exact = _survey(make_model("lagrange", STEER.parameters), 1e-13)[:, X : Z + 1]
+    exact = _batch(make_model("lagrange", STEER.parameters), 1e-13)[:, X : Z + 1]
     rows, curves = [], {}
     for name in ("mujoco", "newton-euler", "lagrange"):
         fixed = name == "mujoco"
         for setting in STEPS if fixed else TOLERANCES:
             kite = make_model(name, STEER.parameters, setting if fixed else 0.1)
             tolerance = 0.0 if fixed else setting
-            error = np.abs(np.linalg.norm(_survey(kite, tolerance)[:, X : Z + 1] - exact, axis=1))
-            [times] = interleaved([lambda k=kite, t=tolerance: _survey(k, t)], rounds)
+            error = np.abs(np.linalg.norm(_batch(kite, tolerance)[:, X : Z + 1] - exact, axis=1))
+            [times] = interleaved([lambda k=kite, t=tolerance: _batch(k, t)], rounds)
             worst, cost = float(error.max()), spread(times)
             curves.setdefault(name, []).append((cost.middle, worst))
             what = f"{setting * 1e3:g} ms" if fixed else f"tolerance {setting:g}"
@@ -91,7 +91,7 @@ def precision(rounds: int, figure: Path) -> list[str]:
     return [*table(head, rows), f"![Error over time of computing]({figure.name})", ""]
 
 
-def _survey(kite, tolerance):
+def _batch(kite, tolerance):
     kite.start(STEER.start, STEER.programme)
     return kite.batch(STEER.programme, TIMES, LOW, tolerance)
 

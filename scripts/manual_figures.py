@@ -62,7 +62,15 @@ def stroke(
 
 
 def label(axes: Axes, place: Place, right: float, up: float, text: str, colour: str = "k") -> None:
-    """Text in the middle of a point `right` of and `up` from `place`."""
+    """Writes beside a place.
+
+    axes: what is drawn in
+    place: (x, y) in the units of `axes`, like all that follows
+    right: from `place` to the middle of the text
+    up: the same
+    text: may hold formulas
+    colour: as matplotlib names it
+    """
     axes.text(place[0] + right, place[1] + up, text, color=colour, ha="center", va="center")
 
 
@@ -74,7 +82,15 @@ def arrow(axes: Axes, start: Place, way: Place, colour: str, name: str = "") -> 
 
 
 def angle(axes: Axes, corner: Place, size: float, a: float, b: float, name: str) -> None:
-    """An arc from direction `a` to `b` [rad, counter-clockwise]; its name stands outside."""
+    """Draws an arc counter-clockwise; its name stands outside.
+
+    axes: what is drawn in
+    corner: (x, y) in the units of `axes`, the centre
+    size: its radius, in the same units
+    a: rad, where it begins
+    b: rad, where it ends
+    name: may hold formulas
+    """
     axes.add_patch(Arc(corner, 2 * size, 2 * size, theta1=degrees(a), theta2=degrees(b), color=DIM))
     middle = (a + b) / 2
     label(axes, corner, (size + 0.3) * cos(middle), (size + 0.3) * sin(middle), name)

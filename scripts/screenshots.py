@@ -50,7 +50,7 @@ NOSE_UP: Mapping[str, Any] = {"set": "thesis", "duration": 3.0, "start": {"theta
 """Let go with the nose 25° too high: beyond stall until the lines pitch it down."""
 
 
-class Flown(NamedTuple):
+class FlightUntil(NamedTuple):
     """A flight up to a moment, the reference there (while it is valid), what was remembered."""
 
     scenario: Scenario
@@ -70,7 +70,7 @@ class Flown(NamedTuple):
         return self.motion, self.reference, readings
 
 
-def flown(scenario: Scenario, until: float) -> Flown:
+def flight_until(scenario: Scenario, until: float) -> FlightUntil:
     """Flies until that time [s]."""
     times = scenario.times._replace(output_interval=TICK, duration=max(until, TICK))
     scenario = replace(scenario, times=times)
@@ -81,7 +81,7 @@ def flown(scenario: Scenario, until: float) -> Flown:
     history = History(scenario.parameters)
     for motion in motions:
         history.add(motion.t, motion)
-    return Flown(scenario, motions[-1], reference, history.traces(motions[-1].t))
+    return FlightUntil(scenario, motions[-1], reference, history.traces(motions[-1].t))
 
 
 def save(folder: Path, name: str, frame: NDArray[np.uint8], size: tuple[int, int]) -> None:
@@ -126,7 +126,7 @@ def live(folder: Path) -> None:
 
 def views_and_instruments(folder: Path) -> None:
     """A loop from everywhere, and each panel alone."""
-    loop = flown(read_scenario(LOOP), LOOP_AT)
+    loop = flight_until(read_scenario(LOOP), LOOP_AT)
     with Picture(loop.scenario.parameters, *SIZE) as picture:
         for view in VIEWS:
             save(folder, f"view_{view}", picture.paint(*loop.shown, view), SMALL)
@@ -178,7 +178,7 @@ def alarms(folder: Path) -> None:
         ("alarm_slack", harder, SLACK_AT, "chase"),
         ("alarm_stall", NOSE_UP, 0.0, "pilot"),
     ):
-        seen = flown(scenario_of(tables, name), until)
+        seen = flight_until(scenario_of(tables, name), until)
         with Picture(seen.scenario.parameters, *SIZE) as picture:
             save(folder, name, picture.paint(*seen.shown, view), SMALL)
 

@@ -62,7 +62,12 @@ def test_lock_pins_every_line_and_names_no_host() -> None:
 
 def test_wheel_carries_models_parameter_sets_and_types(tmp_path: Path) -> None:
     [wheel] = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
-    carried = {name for name in ZipFile(wheel).namelist() if name.startswith("kitemj/")}
+    names = ZipFile(wheel).namelist()
+    assert {name.split("/")[0] for name in names} == {
+        "kitemj",
+        f"kitemj-{version('kitemj')}.dist-info",
+    }
+    carried = {name for name in names if name.startswith("kitemj/")}
     data = [*ROOT.glob("models/*"), *ROOT.glob("kitemj/physics/sets/*.toml")]
     assert data
     for file in data:

@@ -1,4 +1,4 @@
-"""People and pixels: sticks, pacing, pictures, film."""
+"""The programs: fly, film, the replay window, the measurement of real time."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""What can be filmed: a scenario flown by a model, or a recording; both answer with shots."""
+"""Sources of films: a scenario flown by a model, or a recording; both give shots."""
 
 from dataclasses import replace
 from math import isfinite, nan
@@ -29,7 +29,7 @@ class FilmSource(Protocol):
     ending: str
 
     def shot(self, t: float, speed: float) -> Shot:
-        """What is seen `t` [s] after the start, shown `speed` times as fast as it was."""
+        """The shot `t` [s] after the start, shown `speed` times as fast as it was."""
 
 
 class ScenarioSource:
@@ -49,7 +49,7 @@ class ScenarioSource:
         self.duration = flight.motions[-1].t
 
     def shot(self, t: float, speed: float) -> Shot:
-        """What is seen at the row nearest to `t` [s]."""
+        """The shot at the row nearest to `t` [s]."""
         row = min(round(t / self._interval), len(self._motions) - 1)
         motion = self._motions[row]
         reference = self._references[row] if row < len(self._references) else None
@@ -89,7 +89,7 @@ class RecordingSource:
         self._episodes, self._episode = len(recording.episodes), columns["leg"]
 
     def shot(self, t: float, speed: float) -> Shot:
-        """What is seen at `t` [s], between two ticks too."""
+        """The shot at `t` [s], between two ticks too."""
         place = min(max(t / self._tick, 0.0), float(self._track.last))
         row = min(round(place), self._track.last)
         motion = self._track.motion(place)

@@ -1,4 +1,4 @@
-"""Flights on film with no screen, as fast as it goes; or one moment of them as a picture."""
+"""Films and still pictures of flights, made without a screen as fast as it goes."""
 
 from collections.abc import Sequence
 from io import BytesIO
@@ -45,7 +45,14 @@ def film(
     end: float | None = None,
     overwrite: bool = False,
 ) -> None:
-    """Films the flights, side by side, from `start` to `end` [s]; a bar shows the time left.
+    """Films flights side by side; a bar shows the time left.
+
+    sources: the flights, from left to right
+    path: the film; its ending says which kind
+    style: size, rate, speed and view
+    start: s of the flight, where the film begins
+    end: s of the flight, where it ends; None: with the longest flight
+    overwrite: whether a file at `path` is replaced
 
     Ctrl-C leaves a complete film of what was painted. Raises InputError or NoGraphics.
     """
@@ -73,7 +80,7 @@ def film(
 def still(
     sources: Sequence[FilmSource], path: Path, style: FilmStyle, t: float, overwrite: bool = False
 ) -> None:
-    """The picture at `t` [s] as a PNG file."""
+    """Writes the picture at `t` [s] as a PNG file."""
     longest = max(source.duration for source in sources)
     if not 0.0 <= t <= longest + 1e-9:
         raise InputError(f"--still must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")

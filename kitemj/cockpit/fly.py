@@ -1,4 +1,4 @@
-"""`kitemj fly`: a stick, a real-time flight, a picture of it."""
+"""The loop of `kitemj fly`: takes wishes, updates the flight, paints and shows a frame."""
 
 import time
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ from kitemj.realtime.pacer import Timekeeping
 
 @dataclass(frozen=True)
 class Summary:
-    """What is told after a flight; `first_frame` [s] counts from the call."""
+    """The summary of a flight for the person; `first_frame` [s] counts from the call."""
 
     flown: float
     times: Timekeeping
@@ -62,23 +62,23 @@ class Physics(Protocol):
 
     @property
     def touch(self) -> Touch | None:
-        """How the kite met the ground, where it waits now."""
+        """How the kite met the ground, where it waits now; None: it flies."""
 
     @property
     def problem(self) -> str:
-        """What the person should know of the disk."""
+        """A sentence on what keeps the recording from the disk; empty: nothing."""
 
     def start(self) -> None:
-        """Time begins."""
+        """Lets time run."""
 
     def update(self) -> object:
         """Takes in what was flown since; raises what ended the flight."""
 
     def ask(self, deed: str) -> None:
-        """As `Pacer.ask`."""
+        """Asks for a deed, as `Pacer.ask`."""
 
     def stop(self, ending: str) -> str:
-        """Ends the flight; what became of the recording."""
+        """Ends the flight; returns what became of the recording."""
 
 
 def fly(
@@ -89,11 +89,15 @@ def fly(
     called: float | None = None,
     course: Course | None = None,
 ) -> Summary:
-    """Flies until the screen is left, Ctrl-C, or `duration` [s] of wall time have passed.
+    """Flies until the screen is left, Ctrl-C, or the time is over; returns what is to be told.
 
-    `called` [s, perf_counter]: since when the first frame is waited for; now, if left out.
-    `course`: the lessons; it watches what is painted, and the flight's second start is that
-    of the course.
+    physics: the flight in real time, not yet started
+    picture: paints the frames
+    screen: shows them, and has the person's wishes; closed in the end
+    duration: s of wall time; None: no end
+    called: s by perf_counter, since when the first frame is waited for; None: now
+    course: the lessons; it watches what is painted, and has the flight's second start
+
     Raises what ended the flight, if anything did, once the screen is closed.
     """
     called = called or time.perf_counter()
@@ -132,7 +136,7 @@ def fly(
 
 
 def _grant(wishes: Wishes, physics: Physics, picture: Picture, course: Course | None) -> None:
-    """What the person wants of time, picture and lessons."""
+    """Does what the person asks for of time, picture and lessons."""
     deeds, turn, zoom = wishes.taken()
     physics.rate = wishes.rate
     physics.start_at = 1 if course and course.start else 0
@@ -173,6 +177,6 @@ def _painted(physics: Physics, picture: Picture, screen: Screen, course: Course 
 
 
 def _lesson(course: Course | None) -> LessonStatus | None:
-    """What is shown of the lessons; nothing once all are passed and praised."""
+    """The lesson to be shown; None once all are passed and praised."""
     status = course.status if course else None
     return status if status and (status.number or status.praised) else None

@@ -1,4 +1,4 @@
-"""How well this machine flies in real time: ticks, frames, memory, and the way of the stick.
+"""`kitemj realtime`: measures ticks, frames, memory, and the delay from stick to picture.
 
 The loop that is measured is `fly`'s own. The way of the stick is measured at both its ends:
 the tick that first flies a new command, and the first frame in which the knob's pointer is
@@ -53,7 +53,7 @@ class NoScreen:
         """Nothing was opened."""
 
 
-class Watched:
+class TimedScreen:
     """A screen whose frames are timed: `times` [s], and peak `memory` [MB] at some of them.
 
     The memory is that of both processes.
@@ -67,11 +67,11 @@ class Watched:
 
     @property
     def message(self) -> str:
-        """What the person should know."""
+        """The message of the screen within."""
         return self._screen.message
 
     def poll(self) -> None:
-        """Looks at what the person did since."""
+        """Takes in what the person did since."""
         self._screen.poll()
 
     def show(self, frame: Frame, wall: float) -> None:
@@ -97,17 +97,25 @@ class Watched:
         return settled[-1] - settled[0] if settled else float("nan")
 
 
-def endured(
+def timed_flight(
     physics: FlightProcess,
     picture: Picture,
     screen: Screen,
     stick: Stick,
     duration: float,
     called: float | None = None,
-) -> tuple[Summary, Watched]:
-    """A flight of `duration` [s] with `stick` at `screen`; `called` as for `fly`."""
-    watched = Watched(screen, stick, physics)
-    return fly(physics, picture, watched, duration, called), watched
+) -> tuple[Summary, TimedScreen]:
+    """A flight measured: what `fly` tells of it, and the times of its frames.
+
+    physics: the flight in real time, not yet started
+    picture: paints the frames
+    screen: shows them
+    stick: steers
+    duration: s of wall time
+    called: s by perf_counter, since when the first frame is waited for; None: now
+    """
+    timed = TimedScreen(screen, stick, physics)
+    return fly(physics, picture, timed, duration, called), timed
 
 
 @dataclass
@@ -136,7 +144,7 @@ class SteppingStick:
         self.steps: list[Step] = []
 
     def command(self, motion: Motion) -> Command:
-        """Where the stick is now."""
+        """The command now."""
         now = time.perf_counter()
         if now >= self._next:
             self._next = now + self._random.uniform(0.3, 0.8)
@@ -145,7 +153,7 @@ class SteppingStick:
         return Command(self._side * DEFLECTION)
 
 
-class WatchedProcess(FlightProcess):
+class StickTimingProcess(FlightProcess):
     """A flight that tells `stick` which of its moves each tick flew."""
 
     def __init__(self, setup: Setup, stick: SteppingStick) -> None:
@@ -153,7 +161,7 @@ class WatchedProcess(FlightProcess):
         self._stick = stick
 
     def update(self) -> list[TickNews]:
-        """Looks through what was flown."""
+        """Takes in the ticks flown since, and tells the stick of its moves among them."""
         heard = super().update()
         for step in self._stick.steps[-1:]:
             for news in heard:
@@ -163,7 +171,7 @@ class WatchedProcess(FlightProcess):
         return heard
 
 
-class PointerScreen(Watched):
+class PointerScreen(TimedScreen):
     """Looks at the knob in each frame."""
 
     def __init__(
@@ -189,12 +197,10 @@ class PointerScreen(Watched):
         return float(columns.mean()) - HUB[0] * self._u if len(columns) else 0.0
 
 
-def steps_of_the_stick(
-    setup: Setup, picture: Picture, screen: Screen, duration: float
-) -> list[Step]:
-    """All moves of the stick in a flight of `duration` [s] but the last, which may be cut."""
+def stick_steps(setup: Setup, picture: Picture, screen: Screen, duration: float) -> list[Step]:
+    """The moves of the stick in a flight of `duration` [s], but the last, which may be cut."""
     stick = SteppingStick()
-    physics = WatchedProcess(setup, stick)
+    physics = StickTimingProcess(setup, stick)
     physics.wait()
     instruments = Instruments(physics.parameters, picture.width, picture.height)
     fly(physics, picture, PointerScreen(screen, stick, physics, instruments), duration)

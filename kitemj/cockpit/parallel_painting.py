@@ -83,7 +83,7 @@ class Painter(Closing):
 
 
 def workers_for(frames: int) -> int:
-    """How many processes paint that many frames soonest; raises NoGraphics."""
+    """The number of processes that paint so many frames soonest; raises NoGraphics."""
     graphics = open_graphics(16, 16)
     graphics.context.free()
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
@@ -93,7 +93,7 @@ def workers_for(frames: int) -> int:
 def painted(
     stage: Stage, film: Iterable[Sequence[Shot]], workers: int
 ) -> Generator[Frame, None, None]:
-    """The frames of `film` in their order; each is valid until the next one is asked for."""
+    """Yields the frames of `film` in their order; each is valid until the next one is asked for."""
     if workers < 2:
         with Painter(stage) as painter:
             yield from (painter.paint(shots) for shots in film)
@@ -128,7 +128,7 @@ def _frame(memory: SharedMemory, slot: int, size: tuple[int, int]) -> Frame:
 
 
 def _begin(stage: Stage, name: str) -> None:
-    """In each painting process: one thread draws, Ctrl-C is left to the process that films."""
+    """Prepares a painting process: one thread draws, Ctrl-C is left to the process that films."""
     global _painter, _memory, _size
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.environ.setdefault("LP_NUM_THREADS", "0")
@@ -145,7 +145,7 @@ _size: tuple[int, int]
 
 
 def _write(frame: Frame, caption: str) -> None:
-    """A caption on the right above the strip, in each of two pictures."""
+    """Writes a caption on the right above the strip, in each of two pictures."""
     height, wide = frame.shape[:2]
     unit = min(height / 720, wide / 1280)
     size, room = height / 45, 0.48 * wide

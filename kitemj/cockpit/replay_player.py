@@ -1,4 +1,4 @@
-"""Where a replay is and how fast it goes; no clock and no window of its own."""
+"""The position and speed of a replay; it has no clock and no window of its own."""
 
 from dataclasses import dataclass
 
@@ -31,6 +31,6 @@ class Player:
             self.t = 0.0
 
     def change_speed(self, by: int) -> None:
-        """The next of `SPEEDS` up (+1) or down (-1)."""
+        """Changes to the next of `SPEEDS` up (+1) or down (-1)."""
         place = min(max(SPEEDS.index(self.speed) + by, 0), len(SPEEDS) - 1)
         self.speed = SPEEDS[place]

@@ -29,7 +29,7 @@ class Slider:
         self._pressed = False
 
     def handle(self, event: pygame.event.Event, at: tuple[float, float], player: Player) -> None:
-        """What the mouse does at `at`, px from the strip's upper left corner."""
+        """Takes in an event of the mouse at `at`, px from the strip's upper left corner."""
         x, y = at
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1 and 0 <= y < HEIGHT:
             if x < self._left:
@@ -42,7 +42,7 @@ class Slider:
             player.seek((x - self._left) / (self._right - self._left) * player.duration)
 
     def paint(self, strip: pygame.Surface, player: Player) -> None:
-        """The strip as it is now."""
+        """Paints the strip as it is now."""
         strip.fill(GROUND)
         middle, room = HEIGHT // 2, self._right - self._left
         if player.playing:

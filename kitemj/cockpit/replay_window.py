@@ -71,7 +71,7 @@ class ReplayWindow:
                 self._shown = None
 
     def paint(self) -> None:
-        """The picture of the present moment, and the strip below it."""
+        """Paints the picture of the present moment, and the strip below it."""
         player, picture = self.player, self._picture
         state = (player.t, player.speed, player.playing, self.view)
         if state == self._shown:
@@ -92,7 +92,7 @@ class ReplayWindow:
         pygame.display.flip()
 
     def _in_strip(self, at: tuple[int, int]) -> tuple[float, float]:
-        """A place in the window as px of the strip as it was painted."""
+        """Returns a place in the window as px of the strip as it was painted."""
         scale = self._whole.get_width() / self._place.width
         x, y = (at[0] - self._place.left) * scale, (at[1] - self._place.top) * scale
         return x, y - self._picture.height

@@ -27,14 +27,14 @@ class Screen(Protocol):
 
     @property
     def stick(self) -> Stick:
-        """What steers."""
+        """The stick of the person at the screen."""
 
     @property
     def message(self) -> str:
-        """What the person should know of the stick."""
+        """A sentence on the stick for the person; empty: none."""
 
     def poll(self) -> None:
-        """Looks at what the person did since."""
+        """Takes in what the person did since."""
 
     def show(self, frame: Frame, wall: float) -> None:
         """Shows a frame painted `wall` [s] after the start."""
@@ -81,7 +81,7 @@ class Window:
 
     @property
     def message(self) -> str:
-        """What the person should know of the stick."""
+        """A sentence on the stick for the person; empty: none."""
         return self._person.message
 
     def poll(self) -> None:
@@ -100,7 +100,7 @@ class Window:
                 self.wishes.zoom *= 1.1**event.y
 
     def _ask(self, names: Iterable[str]) -> None:
-        """What is the window's or the stick's is done here."""
+        """Takes in actions; those of the window or the stick are done here."""
         for name in names:
             if name == "full screen":
                 self._change_fullness()

@@ -29,19 +29,19 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.controls.pad_terminal import listed, plugged_in
+    from kitemj.controls.pad_terminal import joysticks, summary
     from kitemj.controls.settings import settings_or_defaults, settings_path
 
     path = args.settings or settings_path()
     settings, problem = settings_or_defaults(path)
-    with plugged_in() as pads:
+    with joysticks() as pads:
         if not (args.list or args.show):
             return _set_up(pads, path, args.overwrite)
         if problem:
             print(problem)
         if args.show:
             return _show(pads, settings)
-        print(listed(pads, settings, path))
+        print(summary(pads, settings, path))
     return 0
 
 

@@ -10,7 +10,7 @@ from kitemj.errors import InputError
 
 if TYPE_CHECKING:
     from kitemj.cockpit.fly import Summary
-    from kitemj.cockpit.measuring import Step, Watched
+    from kitemj.cockpit.measuring import Step, TimedScreen
     from kitemj.cockpit.screens import Screen
     from kitemj.physics.parameters import Parameters
     from kitemj.tables import Cell, Table
@@ -40,7 +40,7 @@ def run(args: argparse.Namespace) -> int:
     from kitemj.realtime.launch import launch
 
     launched = launch()
-    from kitemj.cockpit.measuring import endured, steps_of_the_stick
+    from kitemj.cockpit.measuring import stick_steps, timed_flight
     from kitemj.cockpit.screens import display_found
     from kitemj.controls.demonstration import show_of
     from kitemj.drawing.picture import Picture
@@ -61,11 +61,11 @@ def run(args: argparse.Namespace) -> int:
         with Picture(parameters, *pixels) as picture:
             physics.wait()
             screen = _screen(args, parameters, window)
-            flown, watched = endured(physics, picture, screen, stick, args.duration, args.called)
+            flown, timed = timed_flight(physics, picture, screen, stick, args.duration, args.called)
             screen = _screen(args, parameters, window and display_found())
-            steps = steps_of_the_stick(setup, picture, screen, STICK_DURATION)
+            steps = stick_steps(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
-    print_table(_flight_table(flown, watched, f"{args.size}, {where}, everything shown, recorded"))
+    print_table(_flight_table(flown, timed, f"{args.size}, {where}, everything shown, recorded"))
     print_table(_stick_table(steps))
     return 0
 
@@ -84,7 +84,7 @@ def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) ->
     return screen
 
 
-def _flight_table(flown: "Summary", watched: "Watched", how: str) -> "Table":
+def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
     from kitemj.tables import Cell, Table
 
     times = flown.times
@@ -94,9 +94,9 @@ def _flight_table(flown: "Summary", watched: "Watched", how: str) -> "Table":
         ("within a frame of 1/30 s [%]", 100.0 * (1 - times.late / max(times.ticks, 1))),
         ("worst lateness [ms]", 1e3 * times.worst),
         ("wall time not flown [s]", times.lost),
-        ("frames a second, median", watched.median_rate),
+        ("frames a second, median", timed.median_rate),
         ("first frame [s]", flown.first_frame),
-        ("memory gained after 10 s, both processes [MB]", watched.growth),
+        ("memory gained after 10 s, both processes [MB]", timed.growth),
         ("largest gap to the reference [µm]", 1e6 * times.largest_gap),
     ]
     return Table(f"{flown.flown:.0f} s of flight at {how}", ("what", "measured"), rows)

@@ -31,7 +31,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+    """Writes the report; returns the exit status."""
     if not (SCRIPTS / "thesis" / "report.py").is_file():
         raise InputError(
             "the report is made in the repository, of which this installation has no copy: "
@@ -41,9 +41,15 @@ def run(args: argparse.Namespace) -> int:
     from thesis.folder import check_folder
 
     check_folder(args.output, args.overwrite)
+    try:
+        from thesis import report
+    except ModuleNotFoundError as missing:
+        raise InputError(
+            f"the report needs the package {missing.name}, which is not installed with kitemj: "
+            f"pip install {missing.name}"
+        ) from None
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
-    from thesis import report
 
     columns = (
         MofNCompleteColumn(),
@@ -52,11 +58,11 @@ def run(args: argparse.Namespace) -> int:
         TextColumn("{task.description}"),
     )
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task("", total=len(report.WRITERS))
+        task = progress.add_task("", total=len(report.SECTIONS))
 
         def tell(name: str, done: int) -> None:
             progress.update(task, description=name, completed=done)
 
-        sections = report.write_report(args.output, args.overwrite, report.WRITERS, tell)
+        sections = report.write_report(args.output, args.overwrite, report.SECTIONS, tell)
     print(f"{args.output / 'index.html'}: {len(sections)} sections")
     return 0

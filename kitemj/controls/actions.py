@@ -1,4 +1,4 @@
-"""What a person can ask for, by key or pad: the names of all actions, and their help.
+"""The actions a person can ask for by key or pad: their names, keys and help.
 
 `Wishes` is what they add up to: states that last, and deeds that are done once.
 """
@@ -62,7 +62,7 @@ FLIGHT_DEEDS = frozenset({"restart", "step", "rewind", "save", "load"})
 
 
 class Wishes:
-    """What the person at a screen wants.
+    """What the person at a screen asks for: view, panels, time, and deeds not yet done.
 
     `rate` is simulated over wall time, 0 a pause; `shown` the instruments; `turn` [rad] and
     `zoom` move the eye of the orbit view. `deeds` are actions to be done once, by whoever
@@ -77,7 +77,7 @@ class Wishes:
         self._speed = 1.0  # when not paused
 
     def ask(self, names: Iterable[str]) -> None:
-        """Takes actions by their names; one that is unknown is a KeyError."""
+        """Takes in actions by their names; raises KeyError for an unknown one."""
         for name in names:
             if name not in NAMES:
                 raise KeyError(name)
@@ -103,7 +103,7 @@ class Wishes:
             self.deeds.append(name)
 
     def taken(self) -> tuple[list[str], tuple[float, float], float]:
-        """The deeds, the turn and the zoom asked for since; they are forgotten."""
+        """Returns the deeds, the turn and the zoom asked for since, and forgets them."""
         deeds, turn, zoom = self.deeds, self.turn, self.zoom
         self.deeds, self.turn, self.zoom = [], (0.0, 0.0), 1.0
         return deeds, turn, zoom

@@ -1,4 +1,4 @@
-"""Who flies where nobody can."""
+"""The stick of a demonstration, which flies by itself."""
 
 from kitemj.controls.programmed import show
 from kitemj.controls.stick import PilotStick, Stick
@@ -7,7 +7,7 @@ from kitemj.pilots.manoeuvres import Eight
 
 
 def show_of(parameters: Parameters) -> Stick:
-    """Eights with a kite that turns, else a table of the stick.
+    """A pilot of figures of eight for a kite that turns, else a programmed stick.
 
     A kite turns where its nose follows its motion: C_nβ > 0.
     """

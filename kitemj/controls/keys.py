@@ -1,4 +1,4 @@
-"""Which key asks for which action."""
+"""The action of each key of the keyboard."""
 
 import pygame
 

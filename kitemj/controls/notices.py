@@ -1,4 +1,4 @@
-"""Sentences that stay long enough to be read, the newest first."""
+"""Messages to the person, each shown for some seconds."""
 
 import time
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""What on a gamepad does what: texts like ``-axis 3`` or ``hat 0 x``, for pads SDL does not know.
+"""Layouts of gamepads that SDL does not know: which axis, hat or button does what.
 
 An axis is a number of the joystick, -1..1; a button counts as 0 or 1, two buttons as -1, 0 or
 1, a hat as two axes: x to the right, y up. A minus in front turns the sense around.
@@ -36,14 +36,14 @@ class PadSource(NamedTuple):
     sign: int = 1
 
     def __str__(self) -> str:
-        """As a settings file has it."""
+        """The source as a settings file has it."""
         text = f"{'-' if self.sign < 0 else ''}{self.kind} {self.number}"
         if self.kind == "hat":
             return f"{text} {'xy'[self.second]}"
         return f"{text} {self.second}" if self.kind == "buttons" else text
 
     def on(self, joystick: Any) -> bool:
-        """Whether the joystick has it."""
+        """Whether the joystick has this source."""
         if self.kind == "axis":
             return bool(self.number < joystick.get_numaxes())
         if self.kind == "hat":
@@ -51,7 +51,7 @@ class PadSource(NamedTuple):
         return bool(max(self.number, self.second) < joystick.get_numbuttons())
 
     def read(self, joystick: Any) -> float:
-        """Where it is now, in -1..1."""
+        """Where the source is now, in -1..1."""
         if self.kind == "axis":
             value = joystick.get_axis(self.number) * ENDS
         elif self.kind == "hat":
@@ -62,8 +62,8 @@ class PadSource(NamedTuple):
             value = joystick.get_button(self.second) - joystick.get_button(self.number)
         return self.sign * max(-1.0, min(1.0, float(value)))
 
-    def told(self, event: pygame.event.Event) -> float | None:
-        """Where `event` says it is; None where the event is of something else.
+    def value_in(self, event: pygame.event.Event) -> float | None:
+        """Where the source is by `event`, in -1..1; None where the event is of something else.
 
         A button that is pressed and let go between two looks is seen in events only.
         """
@@ -79,7 +79,7 @@ class PadSource(NamedTuple):
 
 
 def pad_source(text: Any, key: str, where: str) -> PadSource:
-    """The source that a text names; InputError, which names `key` and `where`, for any other."""
+    """The source that a text names (``-axis 3``); else InputError, with `key` and `where`."""
     match = TEXT.fullmatch(text) if isinstance(text, str) else None
     if not match:
         raise InputError(f"{key} must be like {EXAMPLES}, got {text!r} ({where})")
@@ -106,20 +106,20 @@ class Layout(NamedTuple):
 
     @property
     def ways(self) -> tuple[PadSource | None, ...]:
-        """In the order of `Deflections`."""
+        """The four sources, in the order of `Deflections`."""
         return self.steer, self.reel, self.left_line, self.right_line
 
     def hands(self, joystick: Any) -> Deflections:
-        """Where they are now; what has no source rests."""
+        """The deflections of the joystick now; what has no source rests."""
         return Deflections(*(way.read(joystick) if way else 0.0 for way in self.ways))
 
     def missing(self, joystick: Any) -> PadSource | None:
-        """A source that this joystick does not have."""
+        """A source that this joystick lacks; None: it has them all."""
         named = [*(way for way in self.ways if way), *self.buttons.values()]
         return next((source for source in named if not source.on(joystick)), None)
 
     def table(self) -> dict[str, Any]:
-        """As a settings file has it; `layout_of` reads it back."""
+        """The layout as a settings file has it; `layout_of` reads it back."""
         ways = zip(WAYS, self.ways, strict=True)
         return {
             "name": self.name,

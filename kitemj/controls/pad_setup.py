@@ -1,4 +1,4 @@
-"""The questions that make a layout: which way is which, which button does what.
+"""The dialogue that finds a pad's layout: which axis is which way, which button does what.
 
 Nothing here waits, prints or reads a pad: `Questions` is shown readings at times, and says what
 it wants to know.
@@ -15,7 +15,7 @@ HOLD = 0.3
 
 
 class Reading(NamedTuple):
-    """All that a joystick says at one moment: axes in -1..1, buttons 0 or 1, hats (x, y)."""
+    """The state of a joystick at one time: axes in -1..1, buttons 0 or 1, hats (x, y)."""
 
     axes: tuple[float, ...]
     buttons: tuple[int, ...]
@@ -23,7 +23,7 @@ class Reading(NamedTuple):
 
     @classmethod
     def of(cls, joystick: Any) -> "Reading":
-        """The present one of a pygame joystick."""
+        """The present reading of a pygame joystick."""
         return cls(
             tuple(float(joystick.get_axis(i)) for i in range(joystick.get_numaxes())),
             tuple(int(joystick.get_button(i)) for i in range(joystick.get_numbuttons())),
@@ -32,7 +32,7 @@ class Reading(NamedTuple):
 
 
 def moved(rest: Reading, now: Reading, button: bool = False) -> PadSource | None:
-    """What is away from its rest: the axis that is farthest away, else a hat, else a button.
+    """The source away from its rest: the axis that is farthest away, else a hat, else a button.
 
     Triggers rest at -1; many report an axis and a button, and where a `button` is wanted the
     button is meant.
@@ -82,7 +82,7 @@ BACK = "press the button for the opposite way"
 
 
 class Questions:
-    """Asks for each control in turn; `rest` is the pad with nothing touched.
+    """Asks for each control in turn; `rest` is the reading with nothing touched.
 
     `asked` is the question of the moment, None at the end. A control counts when it was held
     for `HOLD`; the next one only when all have been let go, which `ready` says.
@@ -98,17 +98,17 @@ class Questions:
 
     @property
     def asked(self) -> Question | None:
-        """What is wanted now."""
+        """The question to be answered now; None: all are."""
         if not self._left:
             return None
         return self._left[0]._replace(text=BACK) if self._first else self._left[0]
 
     def skip(self) -> None:
-        """Leaves the control of the moment without a source."""
+        """Leaves the control that is asked for without a source."""
         self._left, self._first, self._held = self._left[1:], None, None
 
     def see(self, t: float, now: Reading) -> str:
-        """Looks at the pad at time `t` [s]; returns what is to be said about it, or nothing."""
+        """Takes a reading at time `t` [s]; returns a sentence about it, or an empty one."""
         if not (question := self.asked):
             return ""
         source = moved(self._rest, now, question.button)
@@ -125,13 +125,13 @@ class Questions:
         return self._take(question, source)
 
     def layout(self, name: str) -> Layout:
-        """What was found until now."""
+        """The layout found until now."""
         ways = {key: self._found[key] for key in WAYS if key in self._found}
         buttons = {key: source for key, source in self._found.items() if key not in WAYS}
         return Layout(name, **ways, buttons=buttons)
 
     def _take(self, question: Question, source: PadSource) -> str:
-        """Believes a source, or says why not."""
+        """Takes a source as the answer; returns a sentence, which may say why not."""
         if question.button:
             if self._first is None and (user := self._user(source)):
                 return f"{source} is for {user} already: another one"
@@ -149,7 +149,7 @@ class Questions:
         return f"{question.key} is {source}"
 
     def _user(self, source: PadSource) -> str:
-        """Which way has something of this source, or which action has it, already."""
+        """The name of the way or action that uses this source already; empty: it is free."""
         for key, taken in self._found.items():
             if source == taken or (key in WAYS and _parts(source) & _parts(taken)):
                 return key
@@ -157,7 +157,7 @@ class Questions:
 
 
 def _parts(source: PadSource) -> set[tuple[str, int, int]]:
-    """What moves on the pad, whichever way."""
+    """The parts of the pad that a source is made of, whichever way it moves."""
     if source.kind == "buttons":
         return {("button", source.number, 0), ("button", source.second, 0)}
     return {(source.kind, source.number, source.second)}

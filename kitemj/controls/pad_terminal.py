@@ -1,4 +1,4 @@
-"""A person at a terminal with a pad in the hand: which one it is, what it says, what it means."""
+"""`kitemj pad` at a terminal: lists pads, shows what they send, asks for a layout."""
 
 import os
 import sys
@@ -28,8 +28,8 @@ SETTLED = 1.0
 
 
 @contextmanager
-def plugged_in() -> Iterator[list[Any]]:
-    """All joysticks, without a window; raises InputError where there is none."""
+def joysticks() -> Iterator[list[Any]]:
+    """All joysticks that are plugged in; raises InputError where there is none."""
     os.environ["SDL_VIDEODRIVER"] = "dummy"
     os.environ["SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS"] = "1"
     pygame.display.init()
@@ -44,7 +44,7 @@ def plugged_in() -> Iterator[list[Any]]:
         pygame.display.quit()
 
 
-def listed(pads: list[Any], settings: Settings, path: Path) -> str:
+def summary(pads: list[Any], settings: Settings, path: Path) -> str:
     """A line for each pad: its name, its GUID, who knows its layout; `path` has the settings."""
     controller.init()
     lines = []
@@ -59,17 +59,17 @@ def listed(pads: list[Any], settings: Settings, path: Path) -> str:
 
 
 def show(pads: list[Any], settings: Settings) -> None:
-    """What every pad says, ten times a second and more, until Ctrl-C."""
+    """Shows the state of every pad, ten times a second and more, until Ctrl-C."""
     with Live(refresh_per_second=20) as live:
         while True:
-            happened()
-            lines = [said(pad, settings.pads.get(pad.get_guid())) for pad in pads]
+            read_events()
+            lines = [state_text(pad, settings.pads.get(pad.get_guid())) for pad in pads]
             live.update(Text("\n".join(lines)))
             time.sleep(2 * LOOK)
 
 
-def said(pad: Any, layout: Layout | None) -> str:
-    """What a joystick says now, in a few lines, and what its layout makes of that."""
+def state_text(pad: Any, layout: Layout | None) -> str:
+    """The state of a joystick now and its deflections by `layout`, in a few lines."""
     now = Reading.of(pad)
     down = [str(i) for i, pressed in enumerate(now.buttons) if pressed]
     lines = [
@@ -87,18 +87,18 @@ def said(pad: Any, layout: Layout | None) -> str:
 
 
 def choose(pads: list[Any]) -> tuple[Any, Reading]:
-    """The only pad, else the one that is moved; and what it says at rest."""
+    """The only pad, else the one that is moved; and its reading at rest."""
     print("let go of all sticks and buttons")
     for _ in range(round(SETTLED / LOOK)):
         time.sleep(LOOK)
-        happened()
+        read_events()
     rests = [Reading.of(pad) for pad in pads]
     if len(pads) == 1:
         return pads[0], rests[0]
     print(f"{len(pads)} pads: press a button of the one that is meant")
     while True:
         time.sleep(LOOK)
-        happened()
+        read_events()
         for pad, rest in zip(pads, rests, strict=True):
             if moved(rest, Reading.of(pad)):
                 return pad, rest
@@ -111,17 +111,17 @@ def ask(
     tell: Callable[[str], None],
     clock: Callable[[], float] = time.monotonic,
 ) -> Layout:
-    """Asks until all is answered or D is `typed`; `rest` is what the pad says untouched.
+    """Asks until all is answered or D is `typed`; `rest` is the pad's reading untouched.
 
     Raises InputError where the pad goes away, or no stick was found.
     """
-    questions, told = Questions(rest), None
+    questions, shown = Questions(rest), None
     while question := questions.asked:
-        if question != told and questions.ready:
+        if question != shown and questions.ready:
             tell(f"{question.text} ...")
-            told = question
+            shown = question
         time.sleep(LOOK)
-        for event in happened():
+        for event in read_events():
             gone = event.type == pygame.JOYDEVICEREMOVED
             if gone and event.instance_id == pad.get_instance_id():
                 raise InputError(f"the pad {pad.get_name()} is gone; nothing was written")
@@ -138,16 +138,16 @@ def ask(
     return layout
 
 
-def happened() -> list[pygame.event.Event]:
-    """Reads all events; SDL makes one of the signal that asks a process to end."""
-    told = events()
-    if any(event.type == pygame.QUIT for event in told):
+def read_events() -> list[pygame.event.Event]:
+    """Returns all events; KeyboardInterrupt for the one that SDL makes of a signal to end."""
+    found = events()
+    if any(event.type == pygame.QUIT for event in found):
         raise KeyboardInterrupt
-    return told
+    return found
 
 
 def typed_lines() -> "SimpleQueue[str]":
-    """Lines as they are typed, read beside us.
+    """A queue of lines as they are typed, filled by a thread.
 
     From the file itself: a thread that waits inside Python's own reader would hold its lock
     when the command ends.

@@ -12,7 +12,7 @@ from pygame._sdl2 import controller
 from kitemj.controls.notices import Notices
 from kitemj.controls.pad_layout import PRESSED, Layout
 from kitemj.controls.settings import Settings
-from kitemj.controls.stick_mapping import REST, Deflections, felt
+from kitemj.controls.stick_mapping import REST, Deflections, shaped_deflection
 
 FULL = 32767
 STANDARD = {
@@ -42,17 +42,17 @@ CENTRED = "the stick returns to its centre; keys and mouse fly"
 
 
 def events() -> list[pygame.event.Event]:
-    """All that happened since, pads that came and went first.
+    """The events since the last call, pads that came and went first.
 
     As pygame.event.get, which in pygame 2.6 fails, and drops everything, over a pad that came
     and went between two looks.
     """
-    told: list[pygame.event.Event] = []
+    found: list[pygame.event.Event] = []
     try:
-        told += pygame.event.get(PLUGGED)
+        found += pygame.event.get(PLUGGED)
     except SystemError:
-        told.append(pygame.event.Event(pygame.JOYDEVICEADDED))  # so that pads are looked for
-    return told + pygame.event.get(pump=False)
+        found.append(pygame.event.Event(pygame.JOYDEVICEADDED))  # so that pads are looked for
+    return found + pygame.event.get(pump=False)
 
 
 class Pad(Protocol):
@@ -62,10 +62,10 @@ class Pad(Protocol):
     instance: int
 
     def hands(self) -> Deflections:
-        """Where its sticks are now, as they are."""
+        """The deflections of its sticks now, as they are."""
 
     def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
-        """What the event, which is of this pad, asks for."""
+        """The actions that an event of this pad asks for."""
 
 
 class StandardPad:
@@ -77,13 +77,13 @@ class StandardPad:
         self.name, self.instance = joystick.get_name(), joystick.get_instance_id()
 
     def hands(self) -> Deflections:
-        """Left stick sideways steers, right stick up lets out; down is towards oneself."""
+        """Its deflections: left stick sideways steers, right stick up lets out."""
         out = -self._axis(pygame.CONTROLLER_AXIS_RIGHTY)
         left = self._axis(pygame.CONTROLLER_AXIS_LEFTY)
         return Deflections(self._axis(pygame.CONTROLLER_AXIS_LEFTX), out, left, -out)
 
     def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
-        """Those of `STANDARD`."""
+        """The actions of `STANDARD`."""
         if event.type != pygame.CONTROLLERBUTTONDOWN or event.button not in STANDARD:
             return ()
         return (STANDARD[event.button],)
@@ -101,14 +101,14 @@ class LaidOutPad:
         self._down: set[str] = set()
 
     def hands(self) -> Deflections:
-        """As the layout says."""
+        """The deflections by the layout."""
         return self._layout.hands(self._joystick)
 
     def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
-        """Those of the layout, each when its source goes down."""
+        """The actions of the layout, each when its source goes down."""
         asked = []
         for name, source in self._layout.buttons.items():
-            value = source.told(event)
+            value = source.value_in(event)
             if value is None:
                 continue
             if value <= PRESSED:
@@ -141,15 +141,16 @@ class Pads:
 
     @property
     def steering(self) -> Pad | None:
-        """The pad that was touched last."""
+        """The pad that was touched last; None: no pad."""
         return next(reversed(self._pads.values()), None)
 
     def hands(self) -> Deflections:
-        """Where the sticks of the steering pad are, as the settings say."""
+        """The deflections of the steering pad, axes inverted as the settings say."""
         pad, feel, invert = self.steering, self._settings.feel, self._settings.invert
         if pad is None:
             return REST
-        hands = Deflections(*(felt(way, feel.dead_zone, feel.expo) for way in pad.hands()))
+        ways = (shaped_deflection(way, feel.dead_zone, feel.expo) for way in pad.hands())
+        hands = Deflections(*ways)
         return hands._replace(
             steer=-hands.steer if invert.steer else hands.steer,
             reel=-hands.reel if invert.reel else hands.reel,
@@ -182,7 +183,7 @@ class Pads:
             self._say(f"the pad {pad.name} steers")
 
     def _look_around(self) -> None:
-        """Which pads are there now: the event's own number may be another's by then."""
+        """Notes which pads are there now: an event's own number may be another's by then."""
         joysticks = [pygame.joystick.Joystick(i) for i in range(pygame.joystick.get_count())]
         there = [joystick.get_instance_id() for joystick in joysticks]
         for gone in self._known.difference(there):

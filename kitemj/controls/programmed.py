@@ -1,4 +1,4 @@
-"""A programme in a person's place: a table of where the hands are at which time."""
+"""A programmed stick: a table of deflections over time in a person's place."""
 
 import csv
 from bisect import bisect_right
@@ -52,14 +52,14 @@ class ProgrammedStick:
         self._asked = 0
 
     def command(self, motion: Motion) -> Command:
-        """The row that holds at the motion's time."""
+        """The command of the row that holds at the motion's time."""
         t = motion.t % self._period if self._period else motion.t
         i = bisect_right(self._times, t) - 1
         row = self._rows[i] if i >= 0 else Row(0.0)
         return command_of(Deflections(*row[1:5]), self._parameters, row.law, self._two_sticks)
 
     def actions(self, t: float) -> tuple[str, ...]:
-        """Those whose time [s] has come since the last call; each is asked for once, ever.
+        """The actions whose time has come since the last call; each is asked for once, ever.
 
         `t` may be any clock that does not stand still when the flight does.
         """
@@ -68,7 +68,7 @@ class ProgrammedStick:
 
 
 def show(parameters: Parameters) -> ProgrammedStick:
-    """Right, left, a little right, centre: for a kite that only drifts."""
+    """A stick that goes right, left, a little right, centre: for a kite that only drifts."""
     ways = ((0.0, 0.0), (2.0, 1.0), (12.0, -1.0), (28.0, 0.4), (36.0, 0.0))
     return ProgrammedStick([Row(t, steer) for t, steer in ways], parameters, period=40.0)
 
@@ -101,7 +101,7 @@ def read_programmed_stick(path: Path, parameters: Parameters) -> ProgrammedStick
 
 
 def _cells(path: Path) -> Iterator[tuple[str, dict[str, str]]]:
-    """Where each row stands, and its cells by column."""
+    """For each row its place in the file, and its cells by column."""
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:

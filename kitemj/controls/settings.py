@@ -1,4 +1,4 @@
-"""What a person sets once: how sticks feel, and layouts of pads that SDL does not know."""
+"""The settings file: how sticks feel, and layouts of pads that SDL does not know."""
 
 import os
 from collections.abc import Mapping
@@ -54,7 +54,7 @@ NEW_FILE = """\
 
 
 def settings_path() -> Path:
-    """Where the file is on this system, whether there is one or not."""
+    """The path of the settings file on this system, whether there is one or not."""
     return user_config_path("kitemj") / "settings.toml"
 
 

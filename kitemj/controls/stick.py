@@ -1,4 +1,4 @@
-"""What steers: a person with a gamepad, the keys or the mouse; or a pilot in their place."""
+"""Sticks: a person with a gamepad, the keys or the mouse; or a pilot in their place."""
 
 from typing import Protocol
 
@@ -29,14 +29,14 @@ class Stick(Protocol):
 
     @property
     def name(self) -> str:
-        """What steers."""
+        """The name of what steers."""
 
     def command(self, motion: Motion) -> Command:
-        """What is asked for now; `motion` is what the pilot sees."""
+        """The command asked for now; `motion` is what the pilot sees."""
 
 
 class PilotStick:
-    """A pilot in a person's place."""
+    """A stick moved by a pilot of `kitemj.pilots`."""
 
     name = "pilot"
 
@@ -67,7 +67,7 @@ class PersonStick:
 
     @property
     def name(self) -> str:
-        """What steers at present."""
+        """The name of what steers at present."""
         if any(_held_keys()):
             return "keys"
         if self._mouse is not None:
@@ -76,11 +76,11 @@ class PersonStick:
 
     @property
     def message(self) -> str:
-        """What the person should know of the pads."""
+        """A sentence on the pads for the person; empty: none."""
         return self.notices.newest
 
     def handle(self, event: pygame.event.Event) -> tuple[str, ...]:
-        """Pads and the mouse; the actions that a button of a pad asks for."""
+        """Takes in an event of pads or mouse; returns the actions that it asks for."""
         if event.type == pygame.WINDOWFOCUSLOST or (
             event.type == pygame.MOUSEBUTTONUP and event.button == 1
         ):
@@ -93,7 +93,7 @@ class PersonStick:
         return self._pads.handle(event)
 
     def change(self, what: str) -> None:
-        """To the next "law", or to a stick for each line and back ("two sticks")."""
+        """Changes to the next "law", or to a stick for each line and back ("two sticks")."""
         if what == "law":
             self.law = StickLaw((self.law + 1) % len(StickLaw))
             self.notices.say(f"the stick asks for {ASKS[self.law]}")
@@ -103,7 +103,7 @@ class PersonStick:
             self.notices.say(said)
 
     def command(self, motion: Motion) -> Command:
-        """Where the hands are now."""
+        """The command of keys, mouse or pad now."""
         mouse = (
             REST
             if self._mouse is None

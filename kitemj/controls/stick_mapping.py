@@ -1,4 +1,4 @@
-"""From where hands are to what the lines are asked for."""
+"""The mapping from deflections of sticks to a command of the lines."""
 
 from math import copysign
 from typing import NamedTuple
@@ -25,8 +25,8 @@ class Deflections(NamedTuple):
 REST = Deflections()
 
 
-def felt(deflection: float, dead_zone: float, expo: float) -> float:
-    """A stick's deflection as it is meant: odd in it, 0 within the dead zone, ±1 at the ends.
+def shaped_deflection(deflection: float, dead_zone: float, expo: float) -> float:
+    """The deflection after dead zone and curve: odd in it, 0 within the dead zone, ±1 at the ends.
 
     What is left of the way, x in 0..1, becomes (1 - expo) x + expo x³.
     """
@@ -37,7 +37,7 @@ def felt(deflection: float, dead_zone: float, expo: float) -> float:
 def command_of(
     hands: Deflections, parameters: Parameters, law: StickLaw, two_sticks: bool
 ) -> Command:
-    """What these hands ask of the kite.
+    """The command of these deflections.
 
     With one stick, stick right is the right hand's pull, or the left's where the kite is
     `mirrored`; with a stick for each line the hands are the hands.
@@ -49,7 +49,9 @@ def command_of(
 
 
 def one_line_each(parameters: Parameters, left: float, right: float) -> Command:
-    """A₊ is on the left line, A₋ on the right: L₊ = L₀ - arm·left, L₋ = L₀ - arm·right.
+    """The command of a stick for each line, A₊ on the left.
+
+    L₊ = L₀ - arm·left, L₋ = L₀ - arm·right.
 
     Exact as long as the set's limits on δ and ℓ leave the arms their way.
     """

@@ -1,4 +1,4 @@
-"""Which limit of validity is crossed, which instrument says so, and the words of the banner."""
+"""Alarms: the limit that is crossed, the instrument that shows it, the text of the banner."""
 
 from typing import NamedTuple
 
@@ -36,7 +36,7 @@ class Alarm(NamedTuple):
 
 
 def alarm_at(parameters: Parameters, motion: Motion) -> Alarm | None:
-    """The gravest limit that is crossed at this instant."""
+    """The gravest limit that is crossed at this time; None: none is."""
     ceiling, tension = parameters.limits.tension_max, max(motion.tensions)
     if touches_ground(parameters, motion):
         reading = f"{motion.air.speed:.0f} m/s of air"
@@ -64,9 +64,14 @@ def paint_banner(
     message: str,
     top: bool,
 ) -> pygame.Rect:
-    """The message and the reason of the alarm, at the top or the foot of `room` [px].
+    """Paints the message and the reason of the alarm; returns the box [px], empty for neither.
 
-    Returns where that is; an empty rectangle when there is nothing to say.
+    surface: the frame
+    room: px, where the banner may be
+    unit: px, the size of a unit
+    alarm: the limit that is or was crossed; None: no alarm
+    message: a sentence; empty: none
+    top: whether it stands at the top of `room` or at its foot
     """
     inner = room.width - 24 * unit
     lines: list[tuple[str, float, Colour, Colour]] = []

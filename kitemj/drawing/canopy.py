@@ -29,7 +29,7 @@ class Mesh(NamedTuple):
 
 
 def canopy(kite: Kite, scale: float = 1.0) -> dict[str, Mesh]:
-    """The parts by name: "plus_light", "plus_dark", "minus_light", "minus_dark", "stripe".
+    """The meshes by name: "plus_light", "plus_dark", "minus_light", "minus_dark", "stripe".
 
     "plus" is the half of A₊ (y > 0). `scale` enlarges all about the centre of mass.
     """

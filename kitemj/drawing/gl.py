@@ -1,4 +1,4 @@
-"""An OpenGL context that is known to work, or one sentence that says how to get one.
+"""OpenGL contexts: the first that works, or one sentence that says how to get one.
 
 A broken driver may abort the whole process, so each candidate is tried in a process of its
 own first. A good answer is kept on disk, keyed by whatever could change it; a bad one is
@@ -121,7 +121,7 @@ def _probe(backend: str) -> str | None:
 
 
 def _key(backend: str) -> str:
-    """Changes when a library is installed or removed, a graphics card or a display changes."""
+    """A text that changes with the installed libraries, the graphics card and the display."""
     variables = ("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_EGL_DEVICE_ID", "PYOPENGL_PLATFORM")
     drivers = (
         "LIBGL_ALWAYS_SOFTWARE",
@@ -152,7 +152,7 @@ def _advice(failures: list[str]) -> str:
 
 
 def _remedy(failures: list[str]) -> str:
-    """The one command that mends it, for this system."""
+    """The command that installs what is missing on this system."""
     if platform.system() != "Linux":
         return "install the graphics driver of this computer, or fly without a picture"
     if failures == ["glfw"]:

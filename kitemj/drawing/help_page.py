@@ -1,4 +1,4 @@
-"""A page of text over everything: which key does what."""
+"""The help page over the picture: which key does what."""
 
 import pygame
 
@@ -9,7 +9,7 @@ STEP, EDGE, GAP, SIZE = 34, 32, 28, 20  # units: between lines, around, between 
 
 
 def paint_help(surface: pygame.Surface, lines: tuple[str, ...], unit: float) -> None:
-    """Nothing without `lines`; what stands before a tab is a column of its own.
+    """Paints the page, nothing without `lines`; text before a tab has a column of its own.
 
     A page that is larger than the frame is made smaller.
     """

@@ -1,4 +1,4 @@
-"""What instruments remember: the trail, turns of the lines, punctuality, the last alarm.
+"""The history that instruments show: trail, turns of the lines, lateness, the last alarm.
 
 `History` is fed at every tick or frame, by one thread; any thread may ask for its `traces`,
 which are copies. Its memory is fixed from the start.
@@ -24,7 +24,7 @@ CHART_COLUMNS = 250
 
 
 class Traces(NamedTuple):
-    """A copy of what is remembered, for one frame.
+    """A copy of the history for one frame.
 
     `trail` (n, 3) [m, E], oldest first; `twist` [rad], positive to the right. `lateness` and
     `frame_time` (CHART_COLUMNS,) [s]: the longest in each part of the last CHART_SPAN, NaN
@@ -39,7 +39,7 @@ class Traces(NamedTuple):
 
 
 class Point(NamedTuple):
-    """Of the trail: when [s], how far the lines were turned [rad], where [m, E]."""
+    """A point of the trail: when [s], how far the lines were turned [rad], where [m, E]."""
 
     t: float
     twist: float
@@ -47,7 +47,7 @@ class Point(NamedTuple):
 
 
 class History:
-    """Of one flight with one parameter set. `now` [s] is any clock that runs as the watcher's."""
+    """The history of one flight. `now` [s] is any clock that runs as the watcher's."""
 
     def __init__(self, parameters: Parameters) -> None:
         self._parameters = parameters
@@ -56,7 +56,7 @@ class History:
         self._alarm: tuple[float, Alarm] | None = None
 
     def add(self, now: float, motion: Motion, lateness: float | None = None) -> None:
-        """A tick that was done `lateness` [s] late, or, where no clock is kept, a frame."""
+        """Adds a tick that was done `lateness` [s] late, or, where no clock is kept, a frame."""
         if lateness is not None:
             self._lateness.add(now, lateness)
         alarm = alarm_at(self._parameters, motion)
@@ -68,11 +68,11 @@ class History:
             self._extend(motion)
 
     def add_frame(self, now: float, duration: float) -> None:
-        """A frame that took `duration` [s]; may be called by another thread than `add`."""
+        """Adds a frame that took `duration` [s]; may be called by another thread than `add`."""
         self._frame_time.add(now, duration)
 
     def traces(self, now: float) -> Traces:
-        """What is to be shown at `now`."""
+        """The traces to be shown at `now` [s]."""
         last, points = self._alarm, list(self._points)
         alarm = last[1]._replace(age=max(now - last[0], 0.0)) if last else None
         return Traces(
@@ -107,7 +107,7 @@ class Rolling:
         self._values[column] = value if not known >= value else known
 
     def values(self, now: float) -> NDArray[np.float64]:
-        """(CHART_COLUMNS,), the newest last; NaN where nothing was noted."""
+        """The values (CHART_COLUMNS,), the newest last; NaN where nothing was noted."""
         age = int(now / CHART_SPAN * CHART_COLUMNS) - self._part
         rolled = np.roll(self._values, -(self._part + 1) % CHART_COLUMNS)
         if age <= 0:
@@ -125,7 +125,7 @@ class Rolling:
 
 
 def twist_angle(parameters: Parameters, motion: Motion) -> float:
-    """By how much [rad, -π..π] the attachments are turned about the lines, seen from the pilot.
+    """The angle [rad, -π..π] of the attachments about the lines, seen from the pilot.
 
     Clockwise is positive: a loop to the right adds 2π. Zero is the frame of the pilot, facing
     downwind, tilted to the kite by the shortest turn; hands that stay level cannot tell it from

@@ -1,4 +1,4 @@
-"""The numbers over the picture: where each instrument has its place, and which are shown.
+"""The instruments over the picture: the place of each, and which are shown.
 
 Red is the pilot's left (A₊), blue the pilot's right (A₋), as on the kite.
 """
@@ -64,7 +64,7 @@ class Instruments:
         shown: set[str],
         near: bool = True,
     ) -> None:
-        """The panels named in `shown`, and what must be seen; the surface is the frame.
+        """Paints the panels named in `shown`, and what must be seen; the surface is the frame.
 
         From `near` the kite is low in the frame, else high: the banner is where it is not.
         """
@@ -79,7 +79,7 @@ class Instruments:
     def _say(
         self, surface: pygame.Surface, readings: Readings, alarm: Alarm | None, near: bool
     ) -> None:
-        """The lesson, how the kite met the ground, the message and the alarm, as there is room."""
+        """Paints lesson, touch of the ground, message and alarm, as there is room."""
         room, u = self._room(near), self.u
         if readings.lesson:
             self._taken.append(paint_lesson(surface, room, u, readings.lesson, near))
@@ -91,15 +91,15 @@ class Instruments:
             self._taken.append(paint_touch(surface, room, u, readings.touch))
 
     def box(self, name: str) -> pygame.Rect:
-        """Where a panel is, or would be, in the frame [px]."""
+        """The box of a panel in the frame [px], painted or not."""
         return box_of(self._boxes[name], self.u)
 
     def taken(self) -> list[pygame.Rect]:
-        """Where in the last frame something is painted [px]."""
+        """The boxes of all that is painted in the last frame [px]."""
         return list(self._taken)
 
     def _room(self, near: bool) -> pygame.Rect:
-        """Where the banner may be [px]: between the panels, above or below."""
+        """The box where the banner may be [px]: between the panels, above or below."""
         u, foot = self.u, self.height - (STRIP + 10) * self.u
         left, right = (318, 410) if near else (440, 316)
         return pygame.Rect(
@@ -118,7 +118,7 @@ class Instruments:
         return names
 
     def _layout(self) -> dict[str, tuple[float, float, float, float]]:
-        """x, y [px] and width, height [units] of each panel."""
+        """The x, y [px] and width, height [units] of each panel by name."""
         u, left, top = self.u, MARGIN * self.u, self.height - STRIP * self.u
         right, third = self.width - (292 + MARGIN) * u, self.width / 3
         chart = INSET_FOOT + wind_window.HEIGHT + MARGIN
@@ -183,7 +183,7 @@ class Instruments:
             panel.text(value, right, 72 + 38 * i, size, colour, 1)
 
     def _air(self, panel: Panel, motion: Motion, alarm: int) -> None:
-        """α and β as marks between their limits."""
+        """Paints α and β as marks between their limits."""
         limits, air = self.parameters.limits, motion.air
         rows = (
             ("α", air.alpha, limits.alpha_stall, not 0 < air.alpha < limits.alpha_stall),
@@ -203,7 +203,7 @@ class Instruments:
             panel.bar(middle - 1, row + 19, 2, 17, WHITE)
 
     def legend(self, surface: pygame.Surface) -> None:
-        """What the arrows at the kite mean, above the strip along the bottom."""
+        """Paints what the arrows at the kite mean, above the strip along the bottom."""
         u, scale = self.u, f"1 m = {newtons_per_metre(self.parameters):g} N"
         names = (("air", CALL), ("weight", WHITE), ("left", LEFT), ("right", RIGHT), (scale, WHITE))
         room = sum(width(text, NAME * u) / u + 16 for text, _ in names) + 16
@@ -216,13 +216,13 @@ class Instruments:
             x += width(text, NAME * u) / u + 16
 
     def wind_text(self, motion: Motion) -> str:
-        """The wind's speed where the kite is."""
+        """The wind's speed where the kite is, as text."""
         speed = wind_speed(self.parameters.wind, -motion.body.p_G_E.z, motion.t)
         return f"WIND {speed:.1f} m/s"
 
 
 def _model(panel: Panel, readings: Readings) -> None:
-    """Which model flies, who steers, how far the reference is, how the lines are twisted."""
+    """Paints which model flies, who steers, how far the reference is, how the lines are twisted."""
     right = panel.width - MARGIN
     panel.text(readings.model, 24, 24, NUMBER, WHITE)
     if readings.stick:
@@ -237,19 +237,19 @@ def _model(panel: Panel, readings: Readings) -> None:
 
 
 def _turns(turns: int) -> str:
-    """Whole turns of the lines; positive is to the right."""
+    """Whole turns of the lines as text; positive is to the right."""
     return f"{abs(turns)} {'right' if turns > 0 else 'left'}" if turns else "0"
 
 
 def _sided(azimuth: float) -> str:
-    """An azimuth [deg] from downwind; positive is +y_E, the pilot's left."""
+    """An azimuth [deg] from downwind as text; positive is +y_E, the pilot's left."""
     side = "left" if azimuth > 0.05 else "right" if azimuth < -0.05 else ""
     digits = 0 if abs(azimuth) >= 9.95 else 1
     return f"{abs(azimuth):.{digits}f}° {side}".rstrip()
 
 
 def _length(metres: float) -> str:
-    """A gap in the unit that suits it."""
+    """A length [m] as text, in the unit that suits it."""
     if 0.0 < metres < 1e-10:
         return "< 0.1 nm"
     for least, unit in GAP_UNITS:

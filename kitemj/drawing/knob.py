@@ -15,7 +15,7 @@ LEVEL = 1e-4  # rad, hands nearer than this are level
 def paint_knob(
     panel: Panel, delta: float, wish: float, limit: float, law: StickLaw = StickLaw.ANGLE
 ) -> None:
-    """The instrument; δ, what the stick asks for and the limit of both in rad.
+    """Paints the knob; δ, what the stick asks for and the limit of both in rad.
 
     Under another `law` the stick asks for as large a part of that limit.
     """

@@ -1,4 +1,4 @@
-"""What a first flight is told: the lesson with its advice, and how the kite met the ground.
+"""The panels of a first flight: the lesson with its advice, and how the kite met the ground.
 
 Both lie between the panels at the sides: the lesson where the kite is not, the card of a
 touch in the middle.
@@ -22,7 +22,7 @@ HINT = "N: next   B: begin again   Shift + key: fully"
 def paint_lesson(
     surface: pygame.Surface, room: pygame.Rect, unit: float, lesson: LessonStatus, top: bool
 ) -> pygame.Rect:
-    """The lesson at the top or the foot of `room` [px]; returns where that is."""
+    """Paints the lesson at the top or the foot of `room` [px]; returns its box."""
     row = float(room.top if top else room.bottom - HEIGHT * unit)
     panel = Panel(surface, (room.left, row, room.width / unit, HEIGHT), unit)
     panel.ground()
@@ -57,7 +57,7 @@ def _fitting(text: str, inner: float, unit: float) -> tuple[float, tuple[str, ..
 
 
 def _progress(panel: Panel, lesson: LessonStatus) -> None:
-    """A bar, and at its ends which way the stick should go, by how much."""
+    """Paints a bar, and at its ends which way the stick should go, by how much."""
     row, left, wide = 112, 84.0, panel.width - 168
     panel.bar(left, row, wide, 10, TROUGH)
     share = min(max(lesson.progress, 0.0), 1.0)
@@ -76,7 +76,7 @@ def _progress(panel: Panel, lesson: LessonStatus) -> None:
 def paint_touch(
     surface: pygame.Surface, room: pygame.Rect, unit: float, touch: Touch
 ) -> pygame.Rect:
-    """A card in the middle of `room` [px]: what broke, how fast, where, what to do.
+    """Paints a card in the middle of `room` [px]: what broke, how fast, where, what to do.
 
     Returns where that is.
     """

@@ -1,4 +1,4 @@
-"""Where an instrument is painted: a corner of the frame with its own scale, and how it alarms.
+"""A panel: the box of the frame that an instrument is painted in, with its own scale.
 
 All sizes are in pixels of a frame of 720 rows; the panel's unit makes them those of the frame.
 """
@@ -37,7 +37,7 @@ class Panel:
         self.x, self.y, self.width, self.height = box
 
     def ground(self, alarm: int = QUIET) -> None:
-        """The panel itself: darkened picture, or, when it has something to say, a red field."""
+        """Paints the panel itself: darkened picture, or a red field when it alarms."""
         u, edge = self.unit, self.box
         if alarm == NOW:
             edge = edge.inflate(12 * u, 12 * u).clip(self.surface.get_rect())
@@ -53,7 +53,7 @@ class Panel:
 
     @property
     def box(self) -> pygame.Rect:
-        """All of it, in pixels of the frame."""
+        """The box of the panel, in pixels of the frame."""
         return box_of((self.x, self.y, self.width, self.height), self.unit)
 
     def rect(self, x: float, y: float, width: float, height: float) -> pygame.Rect:
@@ -74,29 +74,37 @@ class Panel:
         colour: Colour = DIM,
         align: float = 0.0,
     ) -> None:
-        """Writes with digits `height` tall, their middle at `y`; `align` as in `put`."""
+        """Writes into the panel.
+
+        text: one line
+        x: units from the panel's left
+        y: units from its top, of the digits' middle
+        height: units, of a digit
+        colour: red, green, blue (0..255)
+        align: the part of the text's width that lies left of `x`: 0 starts there, 1 ends
+        """
         put(self.surface, text, *self.at(x, y), height * self.unit, colour, align)
 
     def bar(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
-        """A filled rectangle."""
+        """Paints a filled rectangle."""
         self.surface.fill(colour, self.rect(x, y, width, height))
 
     def line(self, points: Sequence[tuple[float, float]], colour: Colour, width: float) -> None:
-        """A line through points of the panel."""
+        """Paints a line through points of the panel."""
         places = [self.at(*point) for point in points]
         pygame.draw.lines(self.surface, colour, False, places, max(round(width * self.unit), 1))
 
     def polygon(self, points: Sequence[tuple[float, float]], colour: Colour) -> None:
-        """A filled polygon."""
+        """Paints a filled polygon."""
         pygame.draw.polygon(self.surface, colour, [self.at(*point) for point in points])
 
     def dot(self, x: float, y: float, radius: float, colour: Colour) -> None:
-        """A filled circle."""
+        """Paints a filled circle."""
         pygame.draw.circle(self.surface, colour, self.at(x, y), max(radius * self.unit, 1.0))
 
 
 def box_of(place: tuple[float, float, float, float], unit: float) -> pygame.Rect:
-    """x, y [px] and width, height [units] as whole pixels; neighbours share an edge."""
+    """The box of x, y [px], width and height [units] in whole pixels; neighbours share an edge."""
     x, y, width, height = place
     left, top = round(x), round(y)
     right, bottom = round(x + width * unit), round(y + height * unit)

@@ -106,7 +106,7 @@ class Picture(Closing):
     def _letter(
         self, frame: NDArray[np.uint8], motion: Motion, readings: Readings, view: str
     ) -> None:
-        """The trail, labels of things in the picture, the instruments, into the frame itself."""
+        """Paints trail, labels and instruments into the frame itself."""
         size = (self.width, self.height)
         surface = pygame.image.frombuffer(frame.data, size, "RGB")
         if readings.traces and "trail" in self.shown:
@@ -121,7 +121,7 @@ class Picture(Closing):
         paint_help(surface, readings.help, self._instruments.u)
 
     def _trails(self, surface: pygame.Surface, trail: NDArray[np.float64], motion: Motion) -> None:
-        """The trail in both views, up to the kite's tail."""
+        """Paints the trail in both views, up to the kite's tail."""
         unit, inset = self._instruments.u, self._inset_rows()
         points = np.concatenate([trail, [motion.body.p_G_E]])
         # it has no depth: it must not be written across the kite
@@ -141,7 +141,7 @@ class Picture(Closing):
             paint_trail(surface, places, usable & clear[few][::-1], inset, 2 * unit)
 
     def _labels(self, surface: pygame.Surface, motion: Motion, view: str) -> None:
-        """The wind's speed at its arrow, the rings' distances; where there is room."""
+        """Writes the wind's speed at its arrow, the rings' distances; where there is room."""
         close = self._close(view)
         taken = self._instruments.taken()
         if self._inset_camera:
@@ -160,7 +160,7 @@ class Picture(Closing):
             self._label(surface, place, f"{k * step:g} m", 18, (0.0, -15.0), 0.5, taken)
 
     def _ring_direction(self, view: str) -> Vector:
-        """Where around O_E the rings have their labels: beside what matters."""
+        """The direction from O_E in which rings have their labels: beside what matters."""
         assert self._camera is not None
         free = view in ("chase", "orbit")
         ahead = self._camera.forward if free else views.downwind(self.parameters)
@@ -177,9 +177,15 @@ class Picture(Closing):
         align: float,
         taken: list[pygame.Rect],
     ) -> bool:
-        """`text` beside where the point `p_E` [m, E] is in the main view, if nothing is there.
+        """Writes beside a point of the main view if nothing else is there; returns whether it did.
 
-        `taken` are the places of other things [px]; this one is added. Returns whether it is.
+        surface: the frame
+        p_E: m in E, the point
+        text: one line
+        size: units, the height of its digits
+        offset: units to the right of the point and below it
+        align: the part of the text's width that lies left of that place
+        taken: px, boxes of other things; this one is added
         """
         assert self._camera is not None
         unit = self._instruments.u
@@ -197,13 +203,13 @@ class Picture(Closing):
         return True
 
     def _inset_rows(self) -> pygame.Rect:
-        """Where the small view is, in the frame's pixels."""
+        """The box of the small view, in the frame's pixels."""
         unit = self._instruments.u
         w, h, margin = int(INSET * 1280 * unit), int(INSET * 720 * unit), int(12 * unit)
         return pygame.Rect(self.width - w - margin, margin, w, h)
 
     def _render_inset(self, motion: Motion, reference: Motion | None, view: str) -> None:
-        """The kite from near where the main view is far; else all of it from the pilot."""
+        """Renders the small view: the kite from near; all, if the main view is near."""
         other = "pilot" if self._close(view) else "chase"
         camera = views.CAMERAS[other](self.parameters, motion)
         self._inset_camera = camera

@@ -1,4 +1,4 @@
-"""What instruments remember, out of a recording: right at once wherever its slider is put."""
+"""The history that instruments show, out of a recording, at any of its rows."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +34,7 @@ class RecordedTraces:
         self._twists = [self._twists_of(episode) for episode in recording.episodes]
 
     def at(self, row: int) -> Traces:
-        """What is to be shown at `row`."""
+        """The traces to be shown at `row`."""
         episode = int(np.searchsorted(self._starts, row, side="right")) - 1
         start = int(self._starts[episode])
         first = max(start, row - self._every * (TRAIL_POINTS - 1))
@@ -52,7 +52,7 @@ class RecordedTraces:
         return Traces(trail, twist, self._lateness(row), unseen, alarm)
 
     def _lateness(self, row: int) -> NDArray[np.float64]:
-        """The longest in each part of the last CHART_SPAN."""
+        """The largest lateness [s] in each part of the last CHART_SPAN."""
         share = max(1, round(CHART_SPAN / self._tick / CHART_COLUMNS))
         values = np.full(share * CHART_COLUMNS, np.nan)
         known = self._recording.columns["lateness_s"][: row + 1][-len(values) :]

@@ -1,4 +1,4 @@
-"""What stands where in a picture: motions and a camera in, geoms of MuJoCo out.
+"""The scene of a picture: MuJoCo's geoms for motions seen by a camera.
 
 `Scene.fill` places the kites (mocap bodies of the drawing model) and adds what changes its
 shape from frame to frame: lines, bridles, force arrows, pilot, wind. Positions come in
@@ -167,7 +167,7 @@ class Scene:
         self._arrow(tail, minus(tip, tail), WIND, 0.04 * norm(minus(tip, tail)))
 
     def _add_pilot(self, camera: Camera) -> None:
-        """A person 1.8 m tall, or as tall as it takes to be seen."""
+        """Adds a person 1.8 m tall, or as tall as it takes to be seen."""
         depth = dot(minus(O_E, camera.position), camera.forward)
         s = max(1.0, FIGURE * 2 * depth * tan(camera.field / 2) / 1.8)
         wind, left = downwind(self.parameters), cross(UP, downwind(self.parameters))
@@ -210,7 +210,7 @@ class Scene:
 
 
 def newtons_per_metre(parameters: Parameters) -> float:
-    """Scale of the force arrows, a round number.
+    """The scale of the force arrows, a round number.
 
     The air's force of usual flight is about a span long, a line's ceiling at most eight.
     """

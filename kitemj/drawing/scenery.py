@@ -67,12 +67,12 @@ def ring_step(length: float) -> float:
 
 
 def enlargement(parameters: Parameters) -> float:
-    """By how much the wide views enlarge the kite, so that it can be seen at all."""
+    """The factor by which wide views enlarge the kite, so that it can be seen at all."""
     return max(1.0, 0.14 * parameters.lines.length / parameters.kite.span)
 
 
 def _add_ground(spec: Any) -> None:
-    """A mesh, because MuJoCo's plane costs three times as much where the processor draws."""
+    """Adds the ground as a mesh: MuJoCo's plane costs thrice as much where the processor draws."""
     texture = _ground_texture()
     _add_texture(spec, "ground", mujoco.mjtTexture.mjTEXTURE_2D, texture)
     n = 16
@@ -94,7 +94,7 @@ def _add_ground(spec: Any) -> None:
 
 
 def _ground_texture() -> NDArray[np.uint8]:
-    """Two greens in turn every 10 m, a line between them, a bolder one every 100 m."""
+    """Adds a texture: two greens in turn every 10 m, a line between, a bolder one every 100 m."""
     metre = TEXELS / TILE
     place = np.arange(TEXELS) / metre
     square = (place // 10).astype(int)
@@ -109,7 +109,7 @@ def _ground_texture() -> NDArray[np.uint8]:
 
 
 def _add_sky(spec: Any) -> None:
-    """A cube whose colour depends on elevation only; pale at the horizon and below."""
+    """Adds a cube whose colour depends on elevation only; pale at the horizon and below."""
     across = (np.arange(SKY) + 0.5) / SKY * 2 - 1
     u, v = np.meshgrid(across, across)
     length = np.sqrt(1 + u**2 + v**2)
@@ -124,7 +124,7 @@ def _sky_colour(sine: NDArray[np.float64]) -> NDArray[np.uint8]:
 
 
 def _add_rings(spec: Any, length: float) -> None:
-    """White rings as bands of a texture that is clear beside the line.
+    """Adds white rings as bands of a texture that is clear beside the line.
 
     Where a ring is thinner than a pixel the texture's smaller copies make it faint; plain
     white meshes break into dashes there.
@@ -204,6 +204,6 @@ def _add_texture(spec: Any, name: str, kind: Any, image: NDArray[np.uint8]) -> N
 
 
 def _add_shape(body: Any, mesh: str, **attributes: Any) -> None:
-    """A geom that takes no part in contacts, so that flat meshes need no convex hull."""
+    """Adds a geom that takes no part in contacts, so that flat meshes need no convex hull."""
     kind = mujoco.mjtGeom.mjGEOM_MESH
     body.add_geom(type=kind, meshname=mesh, contype=0, conaffinity=0, **attributes)

@@ -16,10 +16,14 @@ def smooth_lines(
     box: pygame.Rect,
     usable: NDArray[np.bool_] | None = None,
 ) -> None:
-    """A line through `places` (n, 2) [px], `width` px wide, within `box`.
+    """Paints a line of straight pieces; one that is longer than the box is wide is left out.
 
-    `colours` (n-1, 4): red, green, blue (0..255) and opacity (0..1) of each piece. Pieces with
-    an end that is not `usable` (n,) are left out, so are pieces longer than the box is wide.
+    surface: the frame
+    places: (n, 2) px, the points it leads through
+    colours: (n-1, 4) red, green, blue (0..255) and opacity (0..1) of each piece
+    width: px
+    box: px; nothing is painted outside
+    usable: (n,) pieces with an end that is not usable are left out; None: all are
     """
     box = box.clip(surface.get_rect())
     start, step = places[:-1], np.diff(places, axis=0)

@@ -23,7 +23,7 @@ LINE: Colour = (120, 128, 140)
 
 
 def paint_chart(panel: Panel, traces: Traces | None, missed_ticks: int, lateness: float) -> None:
-    """The instrument; `lateness` [s] of the last tick, `missed_ticks` since the start."""
+    """Paints the chart; `lateness` [s] of the last tick, `missed_ticks` since the start."""
     panel.ground(QUIET)
     panel.text("missed ticks", LEFT, 20)
     panel.text(f"{missed_ticks}", WIDTH - 12, 20, 23, BAD if missed_ticks else WHITE, 1)

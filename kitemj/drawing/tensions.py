@@ -1,4 +1,4 @@
-"""What each line pulls, against its ceiling; a slack line says so in place of its bar.
+"""The tensions as bars up to the largest allowed; a slack line says so in place of its bar.
 
 The bar grows with the square root of the tension: a line that is about to go slack and one
 that is about to break are both seen. Marks stand at 1/16, 1/4, 9/16 and all of the ceiling.
@@ -29,7 +29,7 @@ SLACK = 1e-3  # m that a line is longer than its distance
 
 
 def paint_tensions(panel: Panel, parameters: Parameters, motion: Motion, alarm: int) -> None:
-    """The instrument."""
+    """Paints the panel of tensions."""
     ceiling = parameters.limits.tension_max
     panel.text("LINES", 12, 20)
     panel.text(f"{ceiling / 4:.0f}", BAR + ROOM / 2, 20, align=0.5)

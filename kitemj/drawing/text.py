@@ -1,4 +1,4 @@
-"""Text on a pygame surface: sizes in pixels of digit height, every rendered string kept a while."""
+"""Text on a pygame surface: sizes are heights of digits in pixels; rendered strings are cached."""
 
 from functools import lru_cache
 from pathlib import Path
@@ -19,9 +19,15 @@ def put(
     colour: Colour = (255, 255, 255),
     align: float = 0.0,
 ) -> None:
-    """Writes `text` with digits `height` px high, their middle at row `y`.
+    """Writes a line of text.
 
-    `align` is the part of the text's width that lies left of `x`: 0 starts there, 1 ends.
+    surface: the frame
+    text: one line
+    x: px from the left
+    y: px from the top, of the digits' middle
+    height: px, of a digit
+    colour: red, green, blue (0..255)
+    align: the part of the text's width that lies left of `x`: 0 starts there, 1 ends
     """
     image = _rendered(text, round(height / DIGIT), colour)
     surface.blit(image, (round(x - align * image.get_width()), round(y - image.get_height() / 2)))

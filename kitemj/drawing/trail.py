@@ -39,7 +39,7 @@ def paint_trail(
     box: pygame.Rect,
     width: float,
 ) -> None:
-    """A line through `places` (n, 2) [px], oldest first, `width` px wide, within `box`."""
+    """Paints a line through `places` (n, 2) [px], oldest first, `width` px wide, within `box`."""
     if len(places) < 2:
         return
     opacity = np.linspace(FAINT, BRIGHT, len(places) - 1)[:, None]

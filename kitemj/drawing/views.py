@@ -1,4 +1,4 @@
-"""Where the camera stands and how a point becomes a pixel. All in frame E, no state.
+"""Cameras of the views, and the pixel where a point appears. All in frame E, no state.
 
 A view is a function of the parameters and one motion: the same motion gives the same
 picture, live or from a recording, and a smooth motion a smooth picture.
@@ -38,7 +38,7 @@ class Pixel(NamedTuple):
 
 
 def pixel(camera: Camera, p_E: Vector, width: int, height: int) -> Pixel:
-    """Where the point `p_E` [m, E] appears; without meaning unless depth > 0."""
+    """The pixel where the point `p_E` [m, E] appears; without meaning unless depth > 0."""
     sight = minus(p_E, camera.position)
     depth = dot(sight, camera.forward)
     right = cross(camera.forward, camera.up)
@@ -58,7 +58,7 @@ def looking(position: Vector, target: Vector) -> Camera:
 
 
 def chase(parameters: Parameters, motion: Motion) -> Camera:
-    """A few spans from the kite on the pilot's side and above, looking downwind and down.
+    """The view a few spans from the kite, from the pilot's side and above, downwind and down.
 
     It turns with the kite's place in the wind window and never with its attitude.
     """
@@ -72,7 +72,7 @@ def chase(parameters: Parameters, motion: Motion) -> Camera:
 
 
 def pilot(parameters: Parameters, motion: Motion) -> Camera:
-    """From behind the pilot, downwind: pilot, lines, kite and the whole wind window."""
+    """The view from behind the pilot, downwind: pilot, lines, kite and the whole wind window."""
     del motion
     L, wind = parameters.lines.length, downwind(parameters)
     position = plus(times(-1.35 * L, wind), times(0.3 * L, UP))
@@ -80,7 +80,7 @@ def pilot(parameters: Parameters, motion: Motion) -> Camera:
 
 
 def side(parameters: Parameters, motion: Motion) -> Camera:
-    """From the pilot's right: the wind blows from left to right."""
+    """The view from the pilot's right: the wind blows from left to right."""
     del motion
     L, wind = parameters.lines.length, downwind(parameters)
     right = cross(wind, UP)
@@ -89,7 +89,7 @@ def side(parameters: Parameters, motion: Motion) -> Camera:
 
 
 def top(parameters: Parameters, motion: Motion) -> Camera:
-    """From straight above: the wind blows up the picture, the pilot's left is left."""
+    """The view from straight above: the wind blows up the picture, the pilot's left is left."""
     del motion
     L, wind = parameters.lines.length, downwind(parameters)
     position = plus(times(0.42 * L, wind), times(1.9 * L, UP))
@@ -97,7 +97,7 @@ def top(parameters: Parameters, motion: Motion) -> Camera:
 
 
 class Orbit(NamedTuple):
-    """Where an eye stands that is free to go round the kite.
+    """The place of an eye that is free to go round the kite.
 
     `azimuth` [rad] from where chase stands, positive to the pilot's right; `elevation` [rad]
     above the kite's level; `distance` [m].
@@ -108,25 +108,25 @@ class Orbit(NamedTuple):
     distance: float
 
     def turned(self, d_azimuth: float, d_elevation: float) -> "Orbit":
-        """Further round, by angles in rad; never quite overhead or underfoot."""
+        """The orbit further round, by angles in rad; never quite overhead or underfoot."""
         elevation = min(max(self.elevation + d_elevation, -HIGHEST), HIGHEST)
         return self._replace(
             azimuth=remainder(self.azimuth + d_azimuth, 2 * pi), elevation=elevation
         )
 
     def zoomed(self, factor: float, parameters: Parameters) -> "Orbit":
-        """`factor` times nearer, between a span and four line lengths."""
+        """The orbit `factor` times nearer, between a span and four line lengths."""
         least, most = parameters.kite.span, 4.0 * parameters.lines.length
         return self._replace(distance=min(max(self.distance / factor, least), most))
 
 
 def first_orbit(parameters: Parameters) -> Orbit:
-    """From behind the pilot's right shoulder, near the kite."""
+    """The orbit that begins behind the pilot's right shoulder, near the kite."""
     return Orbit(radians(35.0), radians(20.0), 3.0 * parameters.kite.span)
 
 
 def orbiting(parameters: Parameters, motion: Motion, orbit: Orbit) -> Camera:
-    """Looks at the kite from near, from further away at the middle of its lines."""
+    """The camera of an orbit: at the kite from near, from afar at the middle of its lines."""
     G, span = motion.body.p_G_E, parameters.kite.span
     share = (orbit.distance - NEAR_ORBIT * span) / (2.0 * parameters.lines.length)
     target = times(1.0 - 0.5 * min(max(share, 0.0), 1.0), G)

@@ -28,7 +28,7 @@ WING = 14.0  # half the kite's width
 
 
 class WindWindow:
-    """For one parameter set; places are in units of the panel."""
+    """The instrument for one parameter set; places are in units of the panel."""
 
     def __init__(self, parameters: Parameters) -> None:
         wind = downwind(parameters)
@@ -38,7 +38,7 @@ class WindWindow:
         self._grid += [self._circle(azimuth=a) for a in (-60, -30, 0, 30, 60)]
 
     def place(self, p_E: Vector) -> tuple[float, float]:
-        """Where the point `p_E` [m, E] is in the panel."""
+        """The place of the point `p_E` [m, E] in the panel."""
         size = max(norm(p_E), 1e-9)
         ahead, left, up = (dot(p_E, axis) / size for axis in (self._wind, self._left, UP))
         away = acos(min(max(ahead, -1.0), 1.0)) / (pi / 2)
@@ -56,7 +56,7 @@ class WindWindow:
         return np.stack([FOOT[0] - share * left, FOOT[1] - share * up], axis=1)
 
     def paint(self, panel: Panel, motion: Motion, trail: NDArray[np.float64]) -> None:
-        """The instrument; `trail` (n, 3) [m, E], oldest first."""
+        """Paints the instrument; `trail` (n, 3) [m, E], oldest first."""
         panel.ground(QUIET)
         panel.polygon(self._sky, SKY)
         for line in self._grid:
@@ -74,7 +74,7 @@ class WindWindow:
         self._paint_kite(panel, motion)
 
     def _paint_kite(self, panel: Panel, motion: Motion) -> None:
-        """A dot with a red and a blue wing, turned as the kite is."""
+        """Paints a dot with a red and a blue wing, turned as the kite is."""
         G = motion.body.p_G_E
         x, y = self.place(G)
         x, y = min(max(x, 14.0), WIDTH - 14.0), min(max(y, 14.0), FOOT[1] + 6)
@@ -90,7 +90,7 @@ class WindWindow:
     def _circle(
         self, elevation: float | None = None, azimuth: float = 0.0
     ) -> list[tuple[float, float]]:
-        """A line of equal elevation, or else of equal azimuth [deg]."""
+        """Points of a line of equal elevation, or else of equal azimuth [deg]."""
         turns = range(-90, 91, 6) if elevation is not None else range(0, 91, 6)
         points = []
         for turn in turns:

@@ -150,7 +150,7 @@ def derivative(t: float, x: NDArray[np.float64], system: LagrangeSystem) -> NDAr
 class LagrangeKite:
     """Minimal coordinates: both lines are always straight, and push where they must.
 
-    `step` [s] is the longest step of `advance`; `trajectory` and `survey` choose their own.
+    `step` [s] is the longest step of `advance`; `trajectory` and `batch` choose their own.
     """
 
     name, rigs = "lagrange", (TWO_LINES,)
@@ -220,7 +220,7 @@ class LagrangeKite:
     def batch(
         self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
     ) -> NDArray[np.float64]:
-        """Rows of `surveyed` at `times` (n,) [s] from the start on; those that hold.
+        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
 
         `tolerance` bounds the error of each step in q [rad] and q̇ [rad/s].
         """

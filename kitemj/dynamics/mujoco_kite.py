@@ -311,7 +311,7 @@ class MujocoKite:
         return motions
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
-        """Rows of `surveyed` at `times` (n,) [s] from the start on; those that hold.
+        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
 
         The steps are the model's own; `tolerance` is for models with error control.
         """

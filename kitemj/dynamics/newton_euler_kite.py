@@ -118,7 +118,7 @@ def present(flight: NewtonEulerFlight, t: float) -> Motion:
 class NewtonEulerKite:
     """A free body whose lines are always straight; they push where they must.
 
-    `step` [s] is the longest step of `advance`; `trajectory` and `survey` choose their own.
+    `step` [s] is the longest step of `advance`; `trajectory` and `batch` choose their own.
     """
 
     name, rigs = "newton-euler", (TWO_LINES,)
@@ -184,7 +184,7 @@ class NewtonEulerKite:
     def batch(
         self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
     ) -> NDArray[np.float64]:
-        """Rows of `surveyed` at `times` (n,) [s] from the start on; those that hold.
+        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
 
         `tolerance` bounds the error of each step in each of the 13 numbers.
         """

@@ -1,4 +1,4 @@
-"""Figures as files: one a picture, or all as pages of one PDF; all of them or none."""
+"""Files of figures: one for each, or all as pages of one PDF; all are written or none."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ class Departure(NamedTuple):
     reason: str
 
     def __str__(self) -> str:
-        """When and why."""
+        """The sentence: when and why."""
         return f"{self.t:.2f} s: {self.reason}"
 
 
@@ -43,7 +43,7 @@ class Flight(NamedTuple):
 
     @property
     def t(self) -> Array:
-        """Times [s]; InputError where there are none."""
+        """The times [s], shape (rows,); InputError where there are none."""
         return self.column("t_s", "every figure")
 
     def column(self, name: str, purpose: str) -> Array:
@@ -67,7 +67,7 @@ class Flight(NamedTuple):
 
     @property
     def beyond(self) -> dict[str, NDArray[np.bool_]]:
-        """Which rows are beyond which limit of validity; empty where columns lack to tell."""
+        """By limit of validity, which rows are beyond it; empty where columns lack to tell."""
         if not set(AIR_AND_LINES) <= set(self.columns):
             return {}
         known = {name: self.column(name, "the limits") for name in AIR_AND_LINES}
@@ -86,7 +86,7 @@ class Flight(NamedTuple):
 
     @property
     def departure(self) -> Departure | None:
-        """None: within all limits, or nothing is known of them."""
+        """The first departure; None: within all limits, or nothing is known of them."""
         beyond = self.any_beyond
         if not beyond.any():
             return None
@@ -96,7 +96,7 @@ class Flight(NamedTuple):
 
     @property
     def parts(self) -> tuple[slice, slice]:
-        """Rows up to the first that is beyond a limit, and from that one on."""
+        """Two slices: rows up to the first beyond a limit, and from that one on."""
         beyond = self.any_beyond
         first = int(np.argmax(beyond)) if beyond.any() else len(beyond)
         return slice(0, first + 1), slice(first, None)
@@ -132,7 +132,7 @@ def flight_of_recording(recording: Recording, episode: int = 0) -> Flight:
 
 
 def _has(column: str) -> str:
-    """What would have the column."""
+    """The kinds of files that would have the column, as text."""
     if column in COLUMNS:
         return "the tables of kitemj simulate and kitemj replay --export have it"
     return "a recording, its table (kitemj replay --export) and a scenario have it"

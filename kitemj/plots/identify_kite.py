@@ -1,4 +1,4 @@
-"""Which kite flew a table: a table has no parameters, but its lines end at the attachments."""
+"""The kite that flew a table, found by its attachments, as a table has no parameters."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""How much of each physical limit a flight takes up: numbers, and the plot over time.
+"""Ratios of a flight to its physical limits: extremes, and the plot over time.
 
 The thesis's plot (section 4.6, Figures 33-37): T₊/T_max, T₋/T_max, α/α_stall and |β|/β_max. A
 value above 1, or a tension or an α of 0 or less, is outside what the model is valid for.
@@ -75,13 +75,13 @@ def limit_ratios(parameters: Parameters, columns: Columns) -> dict[str, Array]:
 
 
 def flight_ratios(flight: Flight) -> dict[str, Array]:
-    """The same of a flight; InputError where it lacks a column."""
+    """The ratios of a flight; InputError where it lacks a column."""
     columns = {name: flight.column(name, "the limits") for name in AIR_AND_LINES}
     return limit_ratios(flight.parameters, columns)
 
 
 def extremes(flight: Flight) -> list[Extremes]:
-    """Smallest and largest of each ratio, when, and when and why it was first outside.
+    """The smallest and largest of each ratio, when, and when and why it was first outside.
 
     Raises InputError where `flown` lacks a column.
     """
@@ -102,7 +102,7 @@ def extremes(flight: Flight) -> list[Extremes]:
 
 
 def limits_figure(flight: Flight, title: str = "") -> Figure:
-    """The ratios over time; shaded where they are outside. `title` in place of the flight's name.
+    """The ratios over time, shaded where they are outside; `title` in place of the flight's name.
 
     Raises InputError where `flown` lacks a column.
     """

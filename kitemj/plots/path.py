@@ -1,4 +1,4 @@
-"""Where the kite flew, in space: its path, its lines, the wind and the frame E."""
+"""The figure of the path in space, with lines, wind and the frame E."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from kitemj.physics.frames import R_BE, Angles
 from kitemj.plots.flight import Array, Flight
 from kitemj.plots.sheet import (
     LEFT_WING,
-    LETTERING,
     MINUS,
     PLUS,
     RIGHT_WING,
     SMALL,
+    TEXT_SIZE,
     LineStyle,
     foot,
     parts_of_way,
@@ -39,7 +39,7 @@ GROUND = LineStyle("path on the ground", "0.7", "-", 0.8)
 
 
 def path_figure(flight: Flight) -> Figure:
-    """The path of G [m], seen from behind the pilot's right shoulder, with lines and wings.
+    """The path of G [m] with lines and wings, seen from behind the pilot's right shoulder.
 
     Raises InputError where position or state lack.
     """
@@ -54,9 +54,9 @@ def path_figure(flight: Flight) -> Figure:
         wings = _draw_kite(ax, flight, int(row))
     _draw_frame(ax, flight, size)
     ax.tick_params(labelsize=SMALL)
-    ax.set_xlabel("$x_E$, into the wind [m]", fontsize=LETTERING)
-    ax.set_ylabel("$-y_E$, to the right [m]", fontsize=LETTERING)
-    ax.set_zlabel("$-z_E$, height [m]", fontsize=LETTERING)
+    ax.set_xlabel("$x_E$, into the wind [m]", fontsize=TEXT_SIZE)
+    ax.set_ylabel("$-y_E$, to the right [m]", fontsize=TEXT_SIZE)
+    ax.set_zlabel("$-z_E$, height [m]", fontsize=TEXT_SIZE)
     foot(figure, drawn + wings)
     return figure
 
@@ -68,7 +68,7 @@ def attitude(flight: Flight, row: int) -> Array:
 
 
 def _set_box(ax: Any, points: Array) -> None:
-    """Limits that hold `points` (n, 3) [m] at one scale."""
+    """Sets limits that hold `points` (n, 3) [m] at one scale."""
     low, high = points.min(axis=0), points.max(axis=0)
     sides = np.maximum(high - low, FLAT * (high - low).max())
     middle = (low + high) / 2
@@ -79,7 +79,7 @@ def _set_box(ax: Any, points: Array) -> None:
 
 
 def _draw_kite(ax: Any, flight: Flight, row: int) -> list[Any]:
-    """Both lines to their attachments, and the wings, to scale; returns the wings."""
+    """Draws both lines to their attachments, and the wings, to scale; returns the wings."""
     kite, R = flight.parameters.kite, attitude(flight, row)
     G, wings = flight.matrix(POSITION, "the path")[row], []
     for side, style, broad in ((1.0, PLUS, LEFT_WING), (-1.0, MINUS, RIGHT_WING)):
@@ -92,10 +92,10 @@ def _draw_kite(ax: Any, flight: Flight, row: int) -> list[Any]:
 
 
 def _draw_frame(ax: Any, flight: Flight, size: float) -> None:
-    """x_E, y_E, z_E at O_E, arrows of `size` [m], and the wind beside them."""
+    """Draws x_E, y_E, z_E at O_E, arrows of `size` [m], and the wind beside them."""
     for axis, name in zip(np.diag(UPRIGHT) * size, ("$x_E$", "$y_E$", "$z_E$"), strict=True):
         ax.quiver(0, 0, 0, *axis, color="black", linewidth=1.0, arrow_length_ratio=0.12)
-        ax.text(*(1.25 * axis), name, fontsize=LETTERING)
+        ax.text(*(1.25 * axis), name, fontsize=TEXT_SIZE)
     wind = flight.parameters.wind
     blows = 1.5 * size * np.array([-cos(wind.azimuth), -sin(wind.azimuth), 0.0]) * UPRIGHT
     start = np.array([0.3 * size, 0.8 * size, 0.0])

@@ -1,4 +1,4 @@
-"""The rates of the state, out of pose, velocity and body rates: exact, nothing is differenced."""
+"""The rates φ̇, γ̇, η̇, θ̇ computed from pose, velocity and body rates."""
 
 import numpy as np
 

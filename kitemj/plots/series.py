@@ -37,7 +37,7 @@ TALL = 7.5  # inches, of four diagrams
 
 
 def state_figure(flight: Flight) -> Figure:
-    """φ, γ, η, θ [deg], free of jumps by a whole turn."""
+    """The figure of φ, γ, η, θ [deg], free of jumps by a whole turn."""
     q = np.degrees(np.unwrap(flight.matrix(STATE, "the state"), axis=0))
     figure, axes = time_sheet(flight, f"State: {flight.name}", 4, TALL)
     for ax, column, symbol in zip(axes, q.T, SYMBOLS, strict=True):
@@ -47,7 +47,7 @@ def state_figure(flight: Flight) -> Figure:
 
 
 def rates_figure(flight: Flight) -> Figure:
-    """φ̇, γ̇, η̇, θ̇ [deg/s], from the body's own rates and velocity: nothing is differenced."""
+    """The figure of φ̇, γ̇, η̇, θ̇ [deg/s], from the body's own rates and velocity."""
     rates = np.degrees(q_dot(flight))
     figure, axes = time_sheet(flight, f"Rates of the state: {flight.name}", 4, TALL)
     for ax, column, symbol in zip(axes, rates.T, SYMBOLS, strict=True):
@@ -57,7 +57,7 @@ def rates_figure(flight: Flight) -> Figure:
 
 
 def tensions_figure(flight: Flight) -> Figure:
-    """Both lines [N] between slack and their ceiling, and closer."""
+    """The figure of both tensions [N] between slack and the largest allowed, and closer."""
     pulls = flight.matrix(TENSIONS, "the tensions").T
     ceiling = flight.parameters.limits.tension_max
     figure, axes = time_sheet(flight, f"Line tensions: {flight.name}", 2, 6.0)
@@ -72,7 +72,7 @@ def tensions_figure(flight: Flight) -> Figure:
 
 
 def angles_figure(flight: Flight) -> Figure:
-    """α and β [deg] between their limits, and closer."""
+    """The figure of α and β [deg] between their limits, and closer."""
     alpha, beta = flight.matrix(("alpha_deg", "beta_deg"), "the angles").T
     limits = flight.parameters.limits
     stall, largest = degrees(limits.alpha_stall), degrees(limits.beta_max)

@@ -1,6 +1,6 @@
-"""The paper that figures are drawn on: as wide as the text of an A4 page, readable in grey.
+"""The layout that figures share: as wide as the text of an A4 page, readable in grey.
 
-What a colour tells, a kind of line tells as well; no lettering is below 8 pt. Red is the
+What a colour tells, a kind of line tells as well; no text is below 8 pt. Red is the
 pilot's left, A₊, and blue the right, A₋, as on the kite.
 """
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 WIDTH = 7.0
 """inches; an A4 page less its margins."""
-LETTERING, SMALL = 9.0, 8.0  # pt
+TEXT_SIZE, SMALL = 9.0, 8.0  # pt
 LINE = 105  # letters of the small kind, across
 
 LEFT, RIGHT = "#D0101A", "#1A3DF2"
@@ -31,7 +31,7 @@ MOST_OUTSIDE = 1.5
 
 
 class LineStyle(NamedTuple):
-    """How a curve looks: its name in the legend, colour, and matplotlib's kind of line."""
+    """The style of a curve: its name in the legend, colour, and matplotlib's kind of line."""
 
     label: str
     color: str = "black"
@@ -50,7 +50,7 @@ def sheet(title: str, height: float) -> Figure:
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(WIDTH, height), layout="constrained")
-    figure.suptitle(title, fontsize=LETTERING + 1)
+    figure.suptitle(title, fontsize=TEXT_SIZE + 1)
     return figure
 
 
@@ -63,26 +63,26 @@ def time_sheet(flight: Flight, title: str, rows: int, height: float) -> tuple[Fi
         plain(ax)
         _shade(ax, flight)
     axes[0].set_xlim(t[0], t[-1] if t[-1] > t[0] else t[0] + 1.0)
-    axes[-1].set_xlabel("time [s]", fontsize=LETTERING)
+    axes[-1].set_xlabel("time [s]", fontsize=TEXT_SIZE)
     figure.align_ylabels(axes)
     name_greys(figure, flight)
     return figure, axes
 
 
 def plain(ax: Axes) -> None:
-    """A quiet grid and small numbers."""
+    """Gives a diagram a quiet grid and small numbers."""
     ax.grid(color="0.9", linewidth=0.6)
     ax.set_axisbelow(True)
     ax.tick_params(labelsize=SMALL)
 
 
 def name_axis(ax: Axes, quantity: str, unit: str) -> None:
-    """The vertical axis."""
-    ax.set_ylabel(f"{quantity} [{unit}]", fontsize=LETTERING)
+    """Names the vertical axis."""
+    ax.set_ylabel(f"{quantity} [{unit}]", fontsize=TEXT_SIZE)
 
 
 def curve(ax: Axes, flight: Flight, values: Array, style: LineStyle) -> None:
-    """`values` (rows,) over time. What follows a touch of the ground does not set the scale."""
+    """Draws `values` (rows,) over time; what follows a touch of the ground sets no scale."""
     from matplotlib.lines import Line2D
 
     t, down = flight.t, flight.down
@@ -93,7 +93,7 @@ def curve(ax: Axes, flight: Flight, values: Array, style: LineStyle) -> None:
 
 
 def limit_line(ax: Axes, value: float, label: str, below: bool = False) -> None:
-    """A horizontal line that names itself, above or `below` it at the left."""
+    """Draws a horizontal line that names itself, above or `below` it at the left."""
     ax.axhline(value, color="black", linewidth=0.9, linestyle=(0, (8, 3)))
     ax.annotate(
         label,
@@ -108,7 +108,7 @@ def limit_line(ax: Axes, value: float, label: str, below: bool = False) -> None:
 
 
 def show_limits(ax: Axes, limits: tuple[float, float], labels: tuple[str, str]) -> None:
-    """Both lines, hatched outside them, and room for that; a curve far outside leaves the axes."""
+    """Draws both limits, hatched outside, and room for that; a curve far outside leaves it."""
     low, high = limits
     span = high - low
     bottom, top = ax.dataLim.y0, ax.dataLim.y1
@@ -138,7 +138,7 @@ def closer(ax: Axes, flight: Flight) -> None:
 
 
 def legend(ax: Axes, columns: int = 4) -> None:
-    """The legend of one diagram, above it, so that it hides nothing."""
+    """Adds the legend of one diagram, above it, so that it hides nothing."""
     ax.legend(
         loc="lower right",
         bbox_to_anchor=(1.0, 1.0),
@@ -150,7 +150,7 @@ def legend(ax: Axes, columns: int = 4) -> None:
 
 
 def name_greys(figure: Figure, flight: Flight) -> None:
-    """Under the figure: what the greys mean, from when on and why."""
+    """Writes under the figure what the greys mean, from when on and why."""
     from matplotlib.patches import Patch
 
     departure = flight.departure
@@ -174,14 +174,14 @@ def parts_of_way(flight: Flight) -> list[tuple[slice, LineStyle]]:
 
 
 def foot(figure: Figure, handles: list[Any]) -> None:
-    """A legend under the figure; long lines are broken."""
+    """Adds a legend under the figure; long lines are broken."""
     for handle in handles:
         handle.set_label(fill(str(handle.get_label()), LINE))
     figure.legend(handles=handles, loc="outside lower left", fontsize=SMALL, frameon=False)
 
 
 def runs(flags: np.ndarray[Any, np.dtype[np.bool_]]) -> list[slice]:
-    """Where `flags` (rows,) are set: each run of rows."""
+    """Slices of the runs of rows where `flags` (rows,) are set."""
     edges = np.flatnonzero(np.diff(flags, prepend=False, append=False)).tolist()
     return [slice(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 

@@ -1,4 +1,4 @@
-"""A flight out of any file that holds one: a recording, a scenario (simulated), a table."""
+"""Flights read from files: a recording, a scenario (which is simulated), a table."""
 
 from dataclasses import replace
 from math import ceil
@@ -32,7 +32,7 @@ class Found(NamedTuple):
 
 
 def read_flight(path: Path, model: str = "", episode: int = 0, kite: str = "") -> Found:
-    """The flight in `path`.
+    """The flight in the file `path`, and what was chosen in it.
 
     `model` flies a scenario (lagrange unless given); `episode` (from 1; 0: the longest) is one of
     a recording or its table; `kite`, a set or a scenario's file, that of a table. Raises
@@ -56,7 +56,7 @@ def read_flight(path: Path, model: str = "", episode: int = 0, kite: str = "") -
 
 
 def _simulated(scenario: Scenario, model: str) -> Found:
-    """Rows of the scenario's own interval, or of a whole part of it."""
+    """The flight of a scenario, a row every interval of the scenario or a whole part of it."""
     interval, duration = scenario.times.output_interval, scenario.times.duration
     parts = max(1, ceil(ROWS * interval / duration))
     finer = replace(scenario, times=scenario.times._replace(output_interval=interval / parts))
@@ -92,7 +92,7 @@ def _tabled(path: Path, episode: int, kite: str) -> Found:
 
 
 def _episode(path: Path, episodes: list[slice], asked: int) -> tuple[int, list[str]]:
-    """Which flight (from 0), and what is to be said of the choice."""
+    """The number of the flight (from 0), and what is to be said of the choice."""
     if not 0 <= asked <= len(episodes):
         raise InputError(f"--leg must be 1 to {len(episodes)} for {path.name}, got {asked}")
     if asked or len(episodes) == 1:

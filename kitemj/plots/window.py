@@ -1,4 +1,4 @@
-"""The wind window: where the pilot sees the kite."""
+"""The figure of the wind window: azimuth and elevation of the kite."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from kitemj.plots.flight import Array, Flight
 from kitemj.plots.path import POSITION, attitude
 from kitemj.plots.sheet import (
     LEFT_WING,
-    LETTERING,
     RIGHT_WING,
     SMALL,
+    TEXT_SIZE,
     foot,
     name_axis,
     parts_of_way,
@@ -47,7 +47,7 @@ def window_figure(flight: Flight) -> Figure:
             ax.plot(*_unbroken(seen[rows]).T, **style._asdict())[0]
             for rows, style in parts_of_way(flight)
         ]
-        ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=LETTERING)
+        ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=TEXT_SIZE)
         name_axis(ax, "elevation", "deg")
     whole.set(xlim=(-90, 90), ylim=(min(0.0, float(np.nanmin(seen[:, 1]))), 90), aspect="equal")
     whole.set_xticks(range(-90, 91, 30))
@@ -76,7 +76,7 @@ def bearing(flight: Flight, p_E: Array) -> Array:
 
 
 def _unbroken(seen: Array) -> Array:
-    """With a gap where the kite passes behind the pilot, and azimuth jumps by a whole turn."""
+    """The angles with a gap where azimuth jumps by a whole turn, behind the pilot."""
     jumps = np.flatnonzero(np.abs(np.diff(seen[:, 0])) > 180.0) + 1
     return np.insert(seen, jumps, np.nan, axis=0)
 
@@ -102,7 +102,7 @@ def _apart(rows: list[int], seen: Array, least: float) -> list[int]:
 
 
 def _mark(ax: Axes, flight: Flight, p_E: Array, row: int, half: float) -> list[Line2D]:
-    """The kite, enlarged to wings of `half` [deg] each, and the time; returns the wings."""
+    """Draws the kite, enlarged to wings of `half` [deg] each, and the time; returns the wings."""
     G, y_B = p_E[row], attitude(flight, row)[1]
     reach = float(np.radians(half) * np.linalg.norm(G))
     wings = []

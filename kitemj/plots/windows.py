@@ -25,7 +25,7 @@ def check_windows() -> None:
 
 
 def show(figures: Mapping[str, Figure]) -> None:
-    """A window for each; returns when all are closed."""
+    """Shows a window for each figure; returns when all are closed."""
     from matplotlib import pyplot
 
     for figure in figures.values():

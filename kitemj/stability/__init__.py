@@ -1,1 +1,1 @@
-"""Where the kite stands, whether it stays there, and the cycles it flies by itself."""
+"""Equilibria (trim), their stability, and the cycles that a kite flies by itself."""

@@ -1,4 +1,4 @@
-"""The closed orbit that the kite flies by itself where it cannot stand: by shooting.
+"""The periodic flight about an unstable equilibrium, found by shooting.
 
 A flight from beside the unstable equilibrium is let settle (Lagrange's equations). Where it
 comes back to where it was, a state x on the section x_k = its value at the equilibrium, and a
@@ -123,7 +123,17 @@ def _settled(
     t: float,
     source: str,
 ) -> tuple[Array, float, float]:
-    """A state on the section near a closed orbit, its period [s], and the time [s] it took."""
+    """Flies until the kite comes back to itself: x (8,) there, the period [s], the time [s].
+
+    kite: the model that flies
+    x: (8,) state to go on from, rad and rad/s
+    control: the lines, held
+    x_eq: (8,) the equilibrium, rad and rad/s
+    k: the coordinate that is looked at when it passes `x_eq`
+    closeness: by how much two passages may differ, in parts of the distance to `x_eq`
+    t: s, flown before
+    source: names the parameters in messages
+    """
     units = state_units(kite.parameters, control.ell)
     returns: list[tuple[float, Array]] = []
     while t < PATIENCE:

@@ -1,4 +1,4 @@
-"""How fast the least stable mode grows, over two parameters."""
+"""Maps of the growth of the least stable mode over two parameters."""
 
 from dataclasses import dataclass
 
@@ -53,10 +53,16 @@ def stability_map(
     ell: float | None = None,
     delta: float = 0.0,
 ) -> StabilityMap:
-    """The map over `x` and `y`, each (name, low, high), `points` values along either.
+    """The map of stability over two parameters, by Lagrange's equations.
 
-    By Lagrange's equations; `ell` [m] None: ℓ₀, which follows `lines.length`. Raises
-    InputError for unknown names, ranges no set may have, and where nothing stands anywhere.
+    parameters: the set; the two are changed in it
+    x: name, least and largest value (in the parameter's unit) along the map
+    y: the same up the map
+    points: how many values along either
+    ell: m; None: ℓ₀, which follows `lines.length`
+    delta: rad
+
+    Raises InputError for unknown names, ranges no set may have, and where nothing stands anywhere.
     """
     if x[0] == y[0]:
         raise InputError(f"a map needs two different parameters, got {x[0]} twice")

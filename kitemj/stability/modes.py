@@ -1,4 +1,4 @@
-"""Whether the kite stays where it stands: modes, and where a parameter takes stability away.
+"""The modes of an equilibrium, and the values of a parameter at which stability is lost.
 
 The aerodynamic rates are scaled by `aero.V_ref`, a fixed number of the set (7 m/s) that does
 NOT follow the wind. This moves the threshold of C_lβ by half: in a wind of 10 m/s the laksa
@@ -138,12 +138,20 @@ def crossings(
     delta: float = 0.0,
     model: str = "lagrange",
 ) -> list[Crossing]:
-    """Every value of the parameter `name` in [`low`, `high`] at which stability changes.
+    """Every value of a parameter in a range at which stability changes.
+
+    parameters: the set; one number is changed in it
+    name: of the parameter, with dots
+    low: least value, in the parameter's unit
+    high: largest value
+    ell: m; None: ℓ₀, which follows the length of the lines
+    delta: rad
+    model: name of the formulation
 
     Looked for between `POINTS` values, so that two changes closer than the range over 80 can
     be missed; each is then found to 12 digits by Brent's method on the largest real part.
-    With `ell` None, ℓ₀ follows the length of the lines. Raises InputError for an unknown
-    name, a range no set may have, and a range with no change or no equilibrium in it.
+    Raises InputError for an unknown name, a range no set may have, and a range with no change or
+    no equilibrium in it.
     """
     check_range(parameters, name, low, high)
 

@@ -72,7 +72,7 @@ def _peak(values: Array) -> float:
 
 
 def _row(motion: Motion) -> list[float]:
-    """In the order of `Orbit`, without the motions."""
+    """The values of one motion in the order of `Orbit`."""
     p, v, T = motion.body.p_G_E, motion.body.v_G_E, motion.tensions
     elevation, azimuth = atan2(-p.z, hypot(p.x, p.y)), atan2(p.y, -p.x)
     speed = hypot(v.x, v.y, v.z)

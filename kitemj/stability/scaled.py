@@ -1,4 +1,4 @@
-"""How far from rest: the scaled equations of motion at q̇ = 0, for any model."""
+"""The residual of an equilibrium: scaled equations of motion at q̇ = 0, for any model."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +30,7 @@ def mass_matrix(parameters: Parameters, x: Array, control: Control) -> Array:
 
 
 def residual(parameters: Parameters, x: Array, x_dot: Array, control: Control) -> float:
-    """Largest |M q̈| / (m g ℓ): forces that are left over, in the paper's scaled equations.
+    """The largest |M q̈| / (m g ℓ): forces that are left over, in the paper's scaled equations.
 
     `x_dot` (8,) is what a model answers at `x`. Without gravity the dynamic pressure on the
     kite takes the weight's place.

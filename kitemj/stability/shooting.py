@@ -1,4 +1,4 @@
-"""A flow closed into an orbit: Newton's method on Φ_T(x) = x.
+"""Periodic orbits by shooting: Newton's method on Φ_T(x) = x.
 
 Source of the method: Seydel, Practical Bifurcation and Stability Analysis (2010), chapter 7.
 """
@@ -33,7 +33,15 @@ class Closed(NamedTuple):
 def monodromy(
     kite: Minimal, x: Array, T: float, control: Control, steps: int, units: Array
 ) -> Array:
-    """dΦ_T/dx (8, 8), both measured in `units` (8,); extrapolated central differences."""
+    """dΦ_T/dx (8, 8), by central differences, extrapolated once.
+
+    kite: the model that flies
+    x: (8,) state at the start, rad and rad/s
+    T: s, the time Φ goes on
+    control: the lines, held
+    steps: how many the model takes in `T`
+    units: (8,) of `x`; both sides of the derivative are measured in them
+    """
     columns = []
     for e in np.eye(8):
         d = DIFFERENCE * units * e
@@ -54,10 +62,18 @@ def closed(
     units: Array,
     M: Array | None = None,
 ) -> Closed | None:
-    """The closed orbit next to `x` (8,), `T` [s], with x_k kept.
+    """The closed orbit near a state.
 
-    `M`: a monodromy matrix to use throughout (one of another model will do), else that of
-    each iterate. None where Newton's method does not reach `CLOSED`, or runs away.
+    kite: the model that flies
+    x: (8,) state near the orbit, rad and rad/s
+    T: s, near its period
+    control: the lines, held
+    k: the coordinate of `x` that is kept
+    units: (8,) of `x`
+    M: (8, 8) monodromy matrix to use throughout (one of another model will do); None: that of
+        each iterate
+
+    Returns None where Newton's method does not reach `CLOSED`, or runs away.
     """
     steps, near, best = steps_for(T), T, Closed(x, T, np.inf)
     free = [i for i in range(8) if i != k]

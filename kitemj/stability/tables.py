@@ -1,4 +1,4 @@
-"""What trim and stability find, as tables: for people, CSV, Parquet and JSON alike."""
+"""Results of trim and stability as tables: for people, CSV, Parquet and JSON alike."""
 
 from math import degrees
 

@@ -192,7 +192,7 @@ def solved(kite: Minimal, start: NDArray[np.float64], control: Control) -> Trim 
 
 
 def trim_at(kite: Minimal, q: NDArray[np.float64], control: Control) -> Trim:
-    """What there is to tell of the equilibrium at `q` (4,) [rad]."""
+    """The angles, tensions and limits of the equilibrium at `q` (4,) [rad]."""
     x = np.concatenate((q, np.zeros(4)))
     answer = kite.answer(x, control)
     p, air = answer.body.p_G_E, air_of(kite.parameters, answer.body, 0.0)
@@ -212,7 +212,7 @@ def trim_at(kite: Minimal, q: NDArray[np.float64], control: Control) -> Trim:
 
 
 def unphysical(parameters: Parameters, state: State, control: Control) -> str:
-    """Why no kite can stand at `state` with the lines held; empty: it can."""
+    """The reason why no kite can be at rest at `state` with the lines held; empty: it can."""
     motion = motion_at(parameters, Segment(0.0, control), 0.0, state)
     departure = departure_at(parameters, motion)
     if departure:

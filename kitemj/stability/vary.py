@@ -1,4 +1,4 @@
-"""One parameter by its dotted name (``aero.Cl_beta``): those there are, and their change."""
+"""Parameters by dotted names (``aero.Cl_beta``): which there are, and a set with one changed."""
 
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 

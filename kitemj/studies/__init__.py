@@ -1,1 +1,1 @@
-"""Flights by the thousand: what is varied, who flies it, and the table that comes of it."""
+"""Studies: what is varied, the processes that fly it, and the table of results."""

@@ -1,4 +1,4 @@
-"""Which flights a study holds: a list, a grid and a Latin hypercube, multiplied together."""
+"""The design of a study: a list, a grid and a Latin hypercube, multiplied together."""
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
@@ -66,7 +66,7 @@ class Design:
         self.names = [name for factor in factors for name in factor.names]
 
     def point(self, flight: int) -> Point:
-        """What flight `flight`, from 0 on, is given."""
+        """The values given to flight `flight`, from 0 on."""
         point: Point = {}
         for factor in reversed(self.factors):
             flight, i = divmod(flight, factor.count)

@@ -1,4 +1,4 @@
-"""Who flies: processes of this machine, or the workers of a Dask cluster."""
+"""Executors of a study: processes of this machine, or the workers of a Dask cluster."""
 
 import os
 import signal
@@ -26,10 +26,10 @@ class StudyExecutor(Protocol):
     deaths: tuple[type[BaseException], ...]
 
     def submit(self, base: Base, flights: list[tuple[int, Point]]) -> "Future[list[Row]]":
-        """The rows of these flights, some time."""
+        """A future of the rows of these flights."""
 
     def renew(self) -> None:
-        """Makes good the loss of a worker."""
+        """Replaces a worker that was lost."""
 
 
 class LocalExecutor:
@@ -59,7 +59,7 @@ class LocalExecutor:
 
 
 def _prepare() -> None:
-    """A worker ends its flights when a person interrupts, and itself when its parent dies."""
+    """Prepares a worker to end its flights on an interrupt, and itself when its parent dies."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     Thread(target=_end_with_parent, daemon=True).start()
 

@@ -1,4 +1,4 @@
-"""One flight of a study, and the row of a table that is left of it."""
+"""A flight of a study, and its row in the table of results."""
 
 import json
 from collections.abc import Sequence
@@ -57,7 +57,7 @@ _warm: set[tuple[Any, ...]] = set()
 
 
 def fly_all(base: Base, flights: Sequence[tuple[int, Point]]) -> list[Row]:
-    """A row for each flight."""
+    """Flies each; returns a row for each flight."""
     return [fly(base, flight, point) for flight, point in flights]
 
 
@@ -84,7 +84,7 @@ def fly(base: Base, flight: int, point: Point) -> Row:
 
 
 def failed(flight: int, point: Point, reason: str) -> Row:
-    """The row of a flight that nobody lived to tell of."""
+    """The row of a flight whose process ended in it."""
     return {
         "flight": flight,
         **{name: _plain(value) for name, value in point.items()},
@@ -140,7 +140,7 @@ def _summary(scenario: Scenario, rows: Array) -> Row:
 
 
 def _departure(parameters: Parameters, rows: Array, times: list[float]) -> Row:
-    """Which limit of validity is left first, and when; as `first_departure` of motions."""
+    """The limit of validity that is left first, and when; as `first_departure` of motions."""
     limits = parameters.limits
     alpha, pull = rows[:, ALPHA], rows[:, TENSIONS:].min(axis=1)
     outside = {

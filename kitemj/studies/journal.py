@@ -1,4 +1,4 @@
-"""Rows as they come, safe at any moment, and the Parquet table they make in the end.
+"""The journal of a study: rows written as they come, and the Parquet table in the end.
 
 A line of JSON for each flight, after one that names the study. What a crash or a full disk
 cut short is at most the last line, which is taken off before the next one is written.
@@ -68,7 +68,7 @@ class Journal:
                 ) from None
 
     def _read(self) -> int:
-        """Marks what is done; where the last whole line ends."""
+        """Marks what is done; returns where the last whole line ends."""
         first = self._file.readline()
         if not first.endswith(b"\n"):
             return 0
@@ -99,7 +99,7 @@ class Journal:
                 raise
 
     def _mark(self, flight: int) -> bool:
-        """Whether the flight is new."""
+        """Marks a flight as done; returns whether it was new."""
         if self.done[flight]:
             return False
         self.done[flight] = 1
@@ -118,7 +118,7 @@ class Journal:
         os.fsync(self._file.fileno())
 
     def write_table(self, table: Path, overwrite: bool) -> int:
-        """All rows by flight as one Parquet table, whose metadata name the study.
+        """Writes all rows by flight as one Parquet table, whose metadata name the study.
 
         Returns how many flights failed.
         """

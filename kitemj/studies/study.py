@@ -1,4 +1,4 @@
-"""A study file: a scenario, how it is flown, and what is varied."""
+"""Study files: a scenario, how it is flown, and what is varied."""
 
 import hashlib
 import json
@@ -110,7 +110,7 @@ def _settings(given: Mapping[str, Any], source: str) -> Settings:
 
 
 def _twin(field: str) -> str:
-    """The other name of an angle: in rad, in degrees."""
+    """The other name of an angle: in rad for degrees, in degrees for rad."""
     return field.removesuffix("_deg") if field.endswith("_deg") else f"{field}_deg"
 
 

@@ -1,4 +1,4 @@
-"""A study flown: batches out, rows in, and a worker's death no end of it."""
+"""Sweeps: the flights of a study in batches on an executor, which may lose workers."""
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
@@ -103,7 +103,7 @@ def _batches(journal: Journal, size: int) -> Iterator[Batch]:
 def _landed(
     journal: Journal, executor: StudyExecutor, aloft: dict[Future[list[Row]], Batch]
 ) -> Batch:
-    """Takes in what has landed; flights that were aloft when a worker died are returned."""
+    """Takes in the batches that are done; returns flights whose worker died."""
     landed = wait(aloft, return_when=FIRST_COMPLETED).done
     lost = any(isinstance(_error(future), executor.deaths) for future in landed)
     suspects: Batch = []
@@ -123,7 +123,7 @@ def _error(future: Future[list[Row]]) -> BaseException | None:
 
 
 def _rows(future: Future[list[Row]]) -> list[Row]:
-    """What a future holds. A flight never raises, so what does is the worker's own trouble."""
+    """The rows of a future. A flight never raises, so what does is the worker's own trouble."""
     try:
         return future.result()
     except (Exception, CancelledError) as error:
@@ -134,7 +134,7 @@ def _rows(future: Future[list[Row]]) -> list[Row]:
 
 
 def _alone(journal: Journal, executor: StudyExecutor, flight: int, point: Point) -> None:
-    """One flight at a time, to find out which of them ends the process that flies it."""
+    """Flies one flight at a time, to find out which of them ends the process that flies it."""
     future = executor.submit(journal.study.base, [(flight, point)])
     wait([future])
     if isinstance(_error(future), executor.deaths):

@@ -1,3 +1,3 @@
-"""The thesis made again: what it measured and drew, computed here, side by side."""
+"""The report on the source thesis: what it measured and drew, computed again with kitemj."""
 
 import kitemj.cockpit  # noqa: F401  before any section imports pygame: it keeps that quiet

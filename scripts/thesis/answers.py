@@ -1,4 +1,4 @@
-"""The list at the end of the report: every figure and table of the thesis, and what became of it.
+"""What became of every figure and table of the thesis: the list at the end of the report.
 
 Captions and the items that belong to no section are in ``items.toml``.
 """
@@ -46,7 +46,7 @@ def rows(sections: Sequence[Section]) -> list[Row]:
     return sorted(found, key=lambda row: order.index(row.answer.item))
 
 
-def faults(answers: Iterable[Answer]) -> list[str]:
+def mistakes(answers: Iterable[Answer]) -> list[str]:
     """What is wrong with the answers to the thesis (without `background`): a sentence each."""
     given = [*background(), *answers]
     counts, known = Counter(answer.item for answer in given), captions()
@@ -57,22 +57,22 @@ def faults(answers: Iterable[Answer]) -> list[str]:
         *(
             f"{a.item} is {a.verdict.value} and no reason is given"
             for a in given
-            if a.verdict is not Verdict.REPRODUCED and not a.because
+            if a.verdict is not Verdict.REPRODUCED and not a.reason
         ),
         *(
             f"{a.item} is {a.verdict.value} and nothing is shown"
             for a in given
-            if a.verdict is not Verdict.NOT_APPLICABLE and not a.shown
+            if a.verdict is not Verdict.NOT_APPLICABLE and not a.shown_by
         ),
     ]
 
 
-def not_shown(section: Section) -> list[str]:
+def dangling(section: Section) -> list[str]:
     """Answers of `section` that point to a drawing or table which it does not have."""
     there = {drawing.name for drawing in section.drawings}
     there |= {named.name for named in (*section.tables, *section.timed)}
     return [
-        f"{answer.item}: there is no drawing or table {answer.shown} in {section.title!r}"
+        f"{answer.item}: there is no drawing or table {answer.shown_by} in {section.title!r}"
         for answer in section.answers
-        if answer.shown and answer.shown not in there
+        if answer.shown_by and answer.shown_by not in there
     ]

@@ -1,4 +1,4 @@
-"""Section 4.5: the frames that kitemj paints, of a flight in real time."""
+"""Section 4.5: pictures of the cockpit and its views, painted of a flight in real time."""
 
 from pathlib import Path
 
@@ -14,14 +14,14 @@ from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
 from kitemj.flight.scenario import scenario_of
 from kitemj.realtime.process import FlightProcess
-from thesis.observed_flight import flying, readings_of, watch
+from thesis.observed_flight import flight_process, observe, readings_of
 from thesis.section import Answer, Drawing, Section, Verdict
 
 ANSWERS = (
     Answer(
         "Figure 29",
         Verdict.NOT_APPLICABLE,
-        "a Simulink block diagram; stick, flight and painting meet in cockpit/fly.py",
+        "a Simulink block diagram; stick, flight and painting meet in kitemj/cockpit/fly.py",
     ),
     Answer(
         "Figure 30",
@@ -49,7 +49,7 @@ MOVES = ((1.0, 1.0), (6.5, -0.6))
 
 SIZE = (1280, 720)
 FRAME_TIME = 1 / 30  # s
-BARE = {"trail", "forces", "labels"}
+SHOWN_ALONE = {"trail", "forces", "labels"}
 """What stays in a view that is shown alone."""
 
 CAPTIONS = {
@@ -67,10 +67,10 @@ def section(scratch: Path) -> Section:
     """Frames; where there is no OpenGL, the sentence that says how to get it."""
     scenario = scenario_of({"set": "thesis", "duration": SECONDS}, "the flight of section 4.5")
     try:
-        with Picture(scenario.parameters, *SIZE) as picture, flying(scenario) as physics:
-            frames = painted(physics, picture, SECONDS)
-    except NoGraphics as reason:
-        return _without(str(reason))
+        with Picture(scenario.parameters, *SIZE) as picture, flight_process(scenario) as physics:
+            frames = paint_frames(physics, picture, SECONDS)
+    except NoGraphics as error:
+        return _without_pictures(str(error))
     drawings = []
     for name, frame in frames.items():
         path = scratch / f"display_{name}.png"
@@ -79,24 +79,24 @@ def section(scratch: Path) -> Section:
     return Section(_TITLE, ANSWERS, _THESIS, _HERE, _WHY, drawings)
 
 
-def painted(physics: FlightProcess, picture: Picture, seconds: float) -> dict[str, Frame]:
+def paint_frames(physics: FlightProcess, picture: Picture, seconds: float) -> dict[str, Frame]:
     """The last moment of a flight in real time: the cockpit, then each view alone."""
     stick = ProgrammedStick([Row(t, steer) for t, steer in MOVES], physics.parameters)
     picture.paint(physics.result.motion, None, Readings())
-    watch(physics, round(seconds / TICK), lambda: picture, FRAME_TIME, stick)
+    observe(physics, round(seconds / TICK), lambda: picture, FRAME_TIME, stick)
     result, readings = physics.result, readings_of(physics)
     frames = {"cockpit": picture.paint(result.motion, result.reference, readings)}
-    picture.shown = set(BARE)
+    picture.shown = set(SHOWN_ALONE)
     for view in VIEWS:
         frames[view] = picture.paint(result.motion, result.reference, readings, view)
     return frames
 
 
-def _without(reason: str) -> Section:
+def _without_pictures(reason: str) -> Section:
     """The section where nothing can be painted."""
     here = f"No frame is shown: {reason}."
-    because = "nothing can be painted on this machine"
-    answers = [Answer(a.item, Verdict.NOT_APPLICABLE, because) for a in ANSWERS[1:]]
+    cause = "nothing can be painted on this machine"
+    answers = [Answer(a.item, Verdict.NOT_APPLICABLE, cause) for a in ANSWERS[1:]]
     return Section(_TITLE, [ANSWERS[0], *answers], _THESIS, [here], _WHY)
 
 

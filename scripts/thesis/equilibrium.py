@@ -1,4 +1,4 @@
-"""Section 3: where the kite stands, by a scalar equation and by each of the three models."""
+"""Section 3: the equilibrium, by a scalar equation and by each of the three models."""
 
 from math import atan2, cos, degrees, hypot, radians, sin
 from pathlib import Path
@@ -14,8 +14,8 @@ from kitemj.physics.parameters import Parameters
 from kitemj.stability.trim import equilibria
 from kitemj.stability.vary import with_value
 from kitemj.tables import Cell, Table
-from thesis.panels import panels
-from thesis.section import Answer, Drawing, Named, Section
+from thesis.section import Answer, Drawing, NamedTable, Section
+from thesis.subplots import subplots
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,7 +27,7 @@ ANSWERS: tuple[Answer, ...] = ()
 
 def section(scratch: Path) -> Section:
     """Both sets on lines of both `LENGTHS`."""
-    table = standing_table()
+    table = equilibrium_table()
     worst = max(float(row[-1]) for row in table.rows)
     return Section(
         "The equilibrium (section 3, Equilibrium_KA)",
@@ -55,7 +55,7 @@ def section(scratch: Path) -> Section:
                 _figure(),
             )
         ],
-        tables=[Named("standing", table)],
+        tables=[NamedTable("standing", table)],
     )
 
 
@@ -89,7 +89,7 @@ def by_equation(parameters: Parameters) -> tuple[float, float, float, float]:
     return alpha, gamma, alpha - gamma, hypot(ahead, down) / (2 * half_angle_cosine)
 
 
-def standing_table() -> Table:
+def equilibrium_table() -> Table:
     """A row for each set, length and way to find it."""
     rows: list[tuple[Cell, ...]] = []
     for name in SETS:
@@ -109,7 +109,7 @@ def standing_table() -> Table:
 
 
 def _figure() -> "Figure":
-    figure, ((ax,),) = panels(1, 1, (7.0, 3.4))
+    figure, ((ax,),) = subplots(1, 1, (7.0, 3.4))
     alpha: NDArray[np.float64] = np.linspace(-10.0, 40.0, 301)
     for name, style in zip(SETS, ("-", "--"), strict=True):
         parameters = parameter_set(name)

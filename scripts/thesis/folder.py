@@ -1,4 +1,4 @@
-"""A folder that appears whole or not at all, and never in place of another unasked."""
+"""A folder written whole or not at all, and never over another unasked."""
 
 import os
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Section 3.2: the kite left alone and under δ = δ₀ sin ωt, on both lengths, as C_lβ changes."""
+"""Section 3.2: stability without control and under δ = δ₀ sin ωt, on both lengths, over C_lβ."""
 
 from math import degrees, isnan
 from pathlib import Path
@@ -10,7 +10,7 @@ from kitemj.dynamics.batch import Array as Rows
 from kitemj.physics.parameters import Parameters
 from kitemj.stability.modes import stability
 from kitemj.tables import Cell, Table
-from thesis.forced import LAST, Swing, threshold
+from thesis.forced_response import LAST, SineSteering, stability_threshold
 from thesis.free_and_steered_figures import (
     amplitude_figure,
     beta_figure,
@@ -18,28 +18,28 @@ from thesis.free_and_steered_figures import (
     threshold_figure,
 )
 from thesis.free_and_steered_flights import (
-    ASIDE,
+    AMPLITUDES,
+    DURATION,
     FAST,
     LENGTHS,
-    LONG,
+    NO_STEERING,
     OMEGAS,
     PARAFOIL,
     SLOW,
-    START,
-    STILL,
+    START_PHI,
     THESIS,
+    TRANSIENT_END,
     VORTEX_LATTICE,
-    WIDTHS,
-    at,
     cycle_at,
     loss_of_stability,
     measured_growth,
+    parameters_at,
     start_beta,
-    stays,
+    steady_rows,
 )
-from thesis.section import Answer, Drawing, Named, Section
+from thesis.section import Answer, Drawing, NamedTable, Section
 
-VALUES = (PARAFOIL, THESIS, -0.2, -0.3, -0.36, VORTEX_LATTICE)
+CL_BETAS = (PARAFOIL, THESIS, -0.2, -0.3, -0.36, VORTEX_LATTICE)
 ANSWERS: tuple[Answer, ...] = ()
 
 
@@ -74,9 +74,9 @@ def section(scratch: Path) -> Section:
         drawings=[
             Drawing(
                 "free_beta",
-                f"β after a start {degrees(ASIDE):.0f}° to the side, lines held: stable flight "
+                f"β after a start {degrees(START_PHI):.0f}° to the side, lines held: stable flight "
                 "above, cycles that the kite flies by itself below. Left 80 m, right 200 m.",
-                beta_figure(STILL),
+                beta_figure(NO_STEERING),
             ),
             Drawing(
                 "steered_beta",
@@ -105,10 +105,10 @@ def section(scratch: Path) -> Section:
             ),
         ],
         tables=[
-            Named("free_flight", free_table()),
-            Named("growth", growth_table()),
-            Named("steered_flight", steered_table()),
-            Named("steered_thresholds", thresholds),
+            NamedTable("free_flight", free_table()),
+            NamedTable("growth", growth_table()),
+            NamedTable("steered_flight", steered_table()),
+            NamedTable("steered_thresholds", thresholds),
         ],
     )
 
@@ -117,10 +117,10 @@ def free_table() -> Table:
     """A row for each length and C_lβ: the swing's mode, and the cycle where it grows."""
     rows: list[tuple[Cell, ...]] = []
     for length in LENGTHS:
-        for value in VALUES:
-            found = stability(at(length, value))
-            swing = next(m for m in found.modes if m.imag > 0 and "sway" in m.name)
-            head = (length, value, swing.real, swing.imag, found.stable)
+        for value in CL_BETAS:
+            found = stability(parameters_at(length, value))
+            sway = next(m for m in found.modes if m.imag > 0 and "sway" in m.name)
+            head = (length, value, sway.real, sway.imag, found.stable)
             if found.stable:
                 rows.append((*head, "stands", *[float("nan")] * 4, True))
                 continue
@@ -141,7 +141,7 @@ def growth_table() -> Table:
     rows: list[tuple[Cell, ...]] = []
     for length in LENGTHS:
         for value in (-0.36, -0.4, VORTEX_LATTICE):
-            mode = stability(at(length, value)).modes[0]
+            mode = stability(parameters_at(length, value)).modes[0]
             flown = measured_growth(length, value)
             rows.append((length, value, mode.real, flown, 100 * (flown / mode.real - 1)))
     columns = ("length_m", "C_lβ", "mode_per_s", "flown_per_s", "difference_percent")
@@ -151,10 +151,10 @@ def growth_table() -> Table:
 def steered_table() -> Table:
     """A row for each swing, length and C_lβ: what stays, and what the start does."""
     rows: list[tuple[Cell, ...]] = []
-    for swing in (SLOW, FAST):
+    for steering in (SLOW, FAST):
         for length in LENGTHS:
-            for value in VALUES:
-                parameters, end = at(length, value), stays(length, value, swing)
+            for value in CL_BETAS:
+                parameters, end = parameters_at(length, value), steady_rows(length, value, steering)
                 extremes = (
                     degrees(np.abs(end[:, BETA]).max()),
                     degrees(end[:, ALPHA].min()),
@@ -162,20 +162,20 @@ def steered_table() -> Table:
                     float(end[:, TENSIONS:].min()),
                     float(end[:, TENSIONS:].max()),
                 )
-                head = (swing.delta, swing.omega, length, value)
-                tail = (_valid(parameters, end), start_beta(length, swing))
+                head = (steering.delta, steering.omega, length, value)
+                tail = (_valid(parameters, end), start_beta(length, steering))
                 rows.append((*head, *extremes, *tail))
     columns = ("δ₀_rad", "ω_rad_per_s", "length_m", "C_lβ", "beta_max_deg", "alpha_min_deg")
     more = ("alpha_max_deg", "tension_min_N", "tension_max_N", "within_limits", "start_beta_deg")
-    title = f"δ = δ₀ sin ωt: extremes from {START:g} to {LONG:g} s, and β at the start"
+    title = f"δ = δ₀ sin ωt: extremes from {TRANSIENT_END:g} to {DURATION:g} s, and β at the start"
     return Table(title, (*columns, *more), rows)
 
 
 def _valid(parameters: Parameters, rows: Rows) -> bool:
     alpha, limits = rows[:, ALPHA], parameters.limits
-    pulls = rows[:, TENSIONS:].min() > 0
+    taut = rows[:, TENSIONS:].min() > 0
     inside = alpha.min() > 0 and alpha.max() < limits.alpha_stall
-    return bool(pulls and inside and np.abs(rows[:, BETA]).max() < limits.beta_max)
+    return bool(taut and inside and np.abs(rows[:, BETA]).max() < limits.beta_max)
 
 
 def threshold_table(lost: dict[float, float]) -> Table:
@@ -183,11 +183,13 @@ def threshold_table(lost: dict[float, float]) -> Table:
     rows: list[tuple[Cell, ...]] = []
     for length in LENGTHS:
         for omega in OMEGAS:
-            for width in WIDTHS:
-                found = threshold(at(length, THESIS), Swing(width, omega))
+            for width in AMPLITUDES:
+                found = stability_threshold(
+                    parameters_at(length, THESIS), SineSteering(width, omega)
+                )
                 shift = 100 * (found.value / lost[length] - 1)
                 rows.append(
-                    (length, omega, width, lost[length], found.value, shift, found.followed)
+                    (length, omega, width, lost[length], found.value, shift, found.stable_to)
                 )
     columns = ("length_m", "ω_rad_per_s", "δ₀_rad", "free_C_lβ", "steered_C_lβ", "shift_percent")
     title = f"Where stability is lost, free and steered (looked for down to C_lβ = {LAST:g})"
@@ -219,13 +221,14 @@ def _here_steered(lost: dict[float, float], thresholds: Table) -> list[str]:
         if open_rows
         else ""
     )
+    own = stability(parameters_at(80.0, lost[80.0])).modes[0]
     return [
         "Under steering there is a flight that repeats itself with the hands. Whether the kite "
         "keeps to it is asked of the Floquet multipliers of that flight "
-        "(scripts/thesis/forced.py). With the slow swing of the thesis's limits, "
+        "(scripts/thesis/forced_response.py). With the slow swing of the thesis's limits, "
         f"{SLOW.delta:g} rad at {SLOW.omega:g} rad/s, stability is lost at a C_lβ that differs "
         f"from the free flight's by {shifts[80.0, 0.1, 0.1]:+.1f} % on 80 m and by "
         f"{shifts[200.0, 0.1, 0.1]:+.1f} % on 200 m. Over all swings tried the shift is "
         f"{min(known):+.1f} % to {max(known):+.1f} %, the larger the closer the hands are to the "
-        f"kite's own {stability(at(80.0, lost[80.0])).modes[0].imag:.2f} rad/s.{unknown}",
+        f"kite's own {own.imag:.2f} rad/s.{unknown}",
     ]

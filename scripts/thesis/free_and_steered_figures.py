@@ -1,4 +1,4 @@
-"""Section 3.2 drawn: β over time, cycles in the sky, what stays, where stability is lost."""
+"""Section 3.2: figures of β over time, of cycles, and of where stability is lost."""
 
 from math import atan2, degrees, nan
 from typing import TYPE_CHECKING, Any
@@ -8,36 +8,38 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.batch import BETA
 from kitemj.tables import Table
-from thesis.forced import Swing
+from thesis.forced_response import SineSteering
 from thesis.free_and_steered_flights import (
-    ASIDE,
-    EVERY,
     FAST,
     LENGTHS,
+    NO_STEERING,
     OMEGAS,
+    SAMPLE_TIME,
     SLOW,
-    STILL,
+    START_PHI,
     THESIS,
     VORTEX_LATTICE,
-    batch,
     cycle_at,
-    stays,
+    flight_rows,
+    steady_rows,
 )
-from thesis.panels import panels
+from thesis.subplots import subplots
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SHOWN = (THESIS, -0.3, -0.36, VORTEX_LATTICE)
+SHOWN_CL_BETAS = (THESIS, -0.3, -0.36, VORTEX_LATTICE)
 
 
-def beta_figure(swing: Swing) -> "Figure":
+def beta_figure(steering: SineSteering) -> "Figure":
     """β over time: a column for each length, a row for each C_lβ."""
-    figure, axes = panels(len(SHOWN), 2, (7.2, 6.4), sharex=True, sharey=True)
+    figure, axes = subplots(len(SHOWN_CL_BETAS), 2, (7.2, 6.4), sharex=True, sharey=True)
     for column, length in enumerate(LENGTHS):
-        for ax, value in zip(axes[:, column], SHOWN, strict=True):
-            rows = batch(length, value, swing, 0.0 if swing.delta else ASIDE)[:3001]
-            ax.plot(np.arange(len(rows)) * EVERY, np.degrees(rows[:, BETA]), lw=0.9, color="black")
+        for ax, value in zip(axes[:, column], SHOWN_CL_BETAS, strict=True):
+            rows = flight_rows(length, value, steering, 0.0 if steering.delta else START_PHI)[:3001]
+            ax.plot(
+                np.arange(len(rows)) * SAMPLE_TIME, np.degrees(rows[:, BETA]), lw=0.9, color="black"
+            )
             ax.axhline(0.0, color="0.7", lw=0.6, zorder=0)
             ax.set_title(f"{length:g} m, $C_{{l\\beta}}$ = {value:g}", fontsize=9, loc="left")
             ax.tick_params(labelsize=8)
@@ -50,7 +52,7 @@ def beta_figure(swing: Swing) -> "Figure":
 
 def sky_figure() -> "Figure":
     """Where the cycles go, in angles as the pilot sees them."""
-    figure, (axes,) = panels(1, 2, (7.2, 3.8), sharey=True)
+    figure, (axes,) = subplots(1, 2, (7.2, 3.8), sharey=True)
     looks: Any = {-0.36: "-", -0.4: "--", VORTEX_LATTICE: "-."}
     for ax, length in zip(axes, LENGTHS, strict=True):
         for value, style in looks.items():
@@ -71,19 +73,19 @@ def sky_figure() -> "Figure":
 
 def amplitude_figure(lost: dict[float, float]) -> "Figure":
     """What stays of |β| over C_lβ; `lost` [1/rad] by length [m]."""
-    figure, (axes,) = panels(1, 2, (7.2, 3.4), sharey=True)
+    figure, (axes,) = subplots(1, 2, (7.2, 3.4), sharey=True)
     values: NDArray[np.float64] = np.round(np.arange(-0.6, -0.01, 0.04), 3)
     looks = {
-        "no control": (STILL, "o-", "black"),
+        "no control": (NO_STEERING, "o-", "black"),
         "slow hands": (SLOW, "s--", "#B8560A"),
         "fast hands": (FAST, "^-.", "#0B6FA4"),
     }
     for ax, length in zip(axes, LENGTHS, strict=True):
-        for name, (swing, style, colour) in looks.items():
+        for name, (steering, style, colour) in looks.items():
             label = name
-            if swing.delta:
-                label += f": {swing.delta:g} rad at {swing.omega:g} rad/s"
-            beta = [_staying_beta(length, float(value), swing) for value in values]
+            if steering.delta:
+                label += f": {steering.delta:g} rad at {steering.omega:g} rad/s"
+            beta = [_steady_beta(length, float(value), steering) for value in values]
             ax.plot(values, beta, style, color=colour, ms=3.5, lw=1.1, label=label)
         ax.axvline(lost[length], color="0.4", lw=0.9, ls=":")
         ax.set(xlabel=r"$C_{l\beta}$ [1/rad]", title=f"{length:g} m", ylim=(0.0, None))
@@ -93,15 +95,15 @@ def amplitude_figure(lost: dict[float, float]) -> "Figure":
     return figure
 
 
-def _staying_beta(length: float, cl_beta: float, swing: Swing) -> float:
+def _steady_beta(length: float, cl_beta: float, steering: SineSteering) -> float:
     """Largest |β| [°] of what stays; not a number where the flight ended early."""
-    end = stays(length, cl_beta, swing)
+    end = steady_rows(length, cl_beta, steering)
     return degrees(np.abs(end[:, BETA]).max()) if len(end) else nan
 
 
 def threshold_figure(table: Table, lost: dict[float, float]) -> "Figure":
     """The columns of `table` over the width of the swing; `lost` as above."""
-    figure, (axes,) = panels(1, 2, (7.2, 3.4), sharey=True)
+    figure, (axes,) = subplots(1, 2, (7.2, 3.4), sharey=True)
     looks = dict(zip(OMEGAS, ("o-", "s--", "^-."), strict=True))
     for ax, length in zip(axes, LENGTHS, strict=True):
         for omega, style in looks.items():

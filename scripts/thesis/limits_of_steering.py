@@ -1,4 +1,4 @@
-"""Section 4.6: how much of the physical limits the four cases of Table 3 take up."""
+"""Section 4.6: how much of the model's limits the four cases of Table 3 take up."""
 
 from math import degrees
 from pathlib import Path
@@ -7,8 +7,8 @@ from kitemj.tables import Table
 from thesis.limits_of_steering_figures import (
     case_figure,
     cases_figure,
-    hands_figure,
     map_figure,
+    square_wave_figure,
 )
 from thesis.limits_of_steering_flights import CASES, LENGTHS, Case, Flights, held_beta
 from thesis.limits_of_steering_tables import (
@@ -16,22 +16,22 @@ from thesis.limits_of_steering_tables import (
     HALF_PERIODS,
     RATES,
     case_table,
-    hands_table,
     lengths_table,
     map_table,
     ratio_table,
     reach_table,
     sensitivity_table,
+    square_wave_table,
 )
-from thesis.programmed_steering import FULL, flown_live, scenario
-from thesis.section import Answer, Drawing, Named, Section, Verdict
+from thesis.programmed_steering import FULL_DEFLECTION, live_flights, scenario
+from thesis.section import Answer, Drawing, NamedTable, Section, Verdict
 
-_HAND = "the hand that moved the thesis's knob is not known; this one is programmed"
+_KNOB = "the hand that moved the thesis's knob is not known; this one is programmed"
 ANSWERS = (
     Answer("Table 3", Verdict.REPRODUCED, "its limits are those flown here", "limits_cases"),
     Answer("Figure 33", Verdict.REPRODUCED, "the plot itself, of the flight of case 3", "case_3"),
     *(
-        Answer(f"Figure {33 + case}", Verdict.DIFFERS, _HAND, f"case_{case}")
+        Answer(f"Figure {33 + case}", Verdict.DIFFERS, _KNOB, f"case_{case}")
         for case in (1, 2, 3, 4)
     ),
 )
@@ -39,8 +39,11 @@ ANSWERS = (
 
 def section(scratch: Path) -> Section:
     """Cases by all three models; everything else by Lagrange's equations."""
-    flights = {case: flown_live(LENGTHS[0], limits.stick(), FULL) for case, limits in CASES.items()}
-    cases, others = case_table(flights), hands_table()
+    flights = {
+        case: live_flights(LENGTHS[0], limits.stick(), FULL_DEFLECTION)
+        for case, limits in CASES.items()
+    }
+    cases, square_waves = case_table(flights), square_wave_table()
     sensitivities, reach, beyond = sensitivity_table(), reach_table(), map_table()
     return Section(
         "Limits of the model under steering (section 4.6)",
@@ -53,7 +56,7 @@ def section(scratch: Path) -> Section:
             "|δ̇| < 0.01 rad/s and |δ̈| < 0.05 rad/s². The 0.1 rad are said to be what arms of "
             "±25 cm make of 200 m lines.",
         ],
-        here=[*_here(flights, cases, others), *_here_more(sensitivities, reach, beyond)],
+        here=[*_here(flights, cases, square_waves), *_here_more(sensitivities, reach, beyond)],
         why=[
             "The order of the cases is the thesis's, the sizes need not be: it prints none, and "
             "moved its knob by hand. Here the stick is programmed: rest for 2 s, full right until "
@@ -89,7 +92,7 @@ def section(scratch: Path) -> Section:
                 "hands_beta",
                 "Largest |β| under full right and full left in turn, over how long each is held: "
                 "cases 3 and 4 are one line.",
-                hands_figure(others),
+                square_wave_figure(square_waves),
             ),
             Drawing(
                 "beta_map",
@@ -100,30 +103,30 @@ def section(scratch: Path) -> Section:
             ),
         ],
         tables=[
-            Named("limits_cases", cases),
-            Named("limits_ratios", ratio_table(flights)),
-            Named("limits_lengths", lengths_table()),
-            Named("limits_sensitivities", sensitivities),
-            Named("limits_hands", others),
-            Named("arm_reach", reach),
-            Named("beta_map", beyond, show=False),
+            NamedTable("limits_cases", cases),
+            NamedTable("limits_ratios", ratio_table(flights)),
+            NamedTable("limits_lengths", lengths_table()),
+            NamedTable("limits_sensitivities", sensitivities),
+            NamedTable("limits_hands", square_waves),
+            NamedTable("arm_reach", reach),
+            NamedTable("beta_map", beyond, show=False),
         ],
     )
 
 
-def _here(flights: Flights, cases: Table, others: Table) -> list[str]:
+def _here(flights: Flights, cases: Table, square_waves: Table) -> list[str]:
     beta = {int(row[0]): float(row[4]) for row in cases.rows}
-    apart, held = max(float(row[-1]) for row in cases.rows), held_beta(LENGTHS[0])
+    spread, held = max(float(row[-1]) for row in cases.rows), held_beta(LENGTHS[0])
     limit = degrees(scenario(LENGTHS[0]).parameters.limits.beta_max)
-    order = all(float(row[2]) > float(row[3]) > float(row[1]) for row in others.rows)
-    tie = [100 * (float(row[4]) / float(row[3]) - 1) for row in others.rows]
+    order = all(float(row[2]) > float(row[3]) > float(row[1]) for row in square_waves.rows)
+    tie = [100 * (float(row[4]) / float(row[3]) - 1) for row in square_waves.rows]
     said = "the same" if order else "not always the same"
     return [
         f"Largest |β| is {beta[1]:.3f}° in case 1, {beta[3]:.3f}° in case 3 and {beta[2]:.3f}° in "
         f"case 2: it rises with δ̇_max as the thesis found, by {100 * (beta[2] / beta[1] - 1):.0f} "
         f"% for ten times the rate. δ̈_max does next to nothing: case 4 differs from case 3 by "
         f"{beta[4] - beta[3]:+.0e}°, {100 * (beta[4] / beta[3] - 1):+.3f} % for ten times as much. "
-        f"The three models agree on β within {apart:.0e}° throughout.",
+        f"The three models agree on β within {spread:.0e}° throughout.",
         f"All this is small: {beta[2]:.2f}° are {100 * beta[2] / limit:.0f} % of β_max, and "
         f"{held:.3f}° of it are there when δ is held at 0.1 rad and nothing moves. β is what "
         "the hand changes most, as the thesis found, if each quantity is taken in parts of its "

@@ -1,4 +1,4 @@
-"""Section 4.6 drawn: the limits over time, β of the cases, under other hands, and as a map."""
+"""Section 4.6: figures of the limits over time, and of β by case, schedule and steering limits."""
 
 from math import degrees
 from typing import TYPE_CHECKING
@@ -8,10 +8,10 @@ import numpy as np
 from kitemj.dynamics.motion import Motion
 from kitemj.plots.limits import limits_figure
 from kitemj.tables import Table
-from thesis.limits_of_steering_flights import CASES, LENGTHS, Flights, flown_case, held_beta
+from thesis.limits_of_steering_flights import CASES, LENGTHS, Flights, case_flight, held_beta
 from thesis.limits_of_steering_tables import ACCELERATIONS, RATES
-from thesis.panels import panels
-from thesis.programmed_steering import FULL
+from thesis.programmed_steering import FULL_DEFLECTION
+from thesis.subplots import subplots
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -26,12 +26,12 @@ _COLOURS = {1: "#0B6FA4", 2: "#B8560A", 3: "0.7", 4: "black"}
 
 def case_figure(case: int, motions: list[Motion]) -> "Figure":
     """All limits of one case over time, as kitemj plots them."""
-    return limits_figure(flown_case(case, motions[::SHOWN_EVERY]), f"Case {case}")
+    return limits_figure(case_flight(case, motions[::SHOWN_EVERY]), f"Case {case}")
 
 
 def cases_figure(flights: Flights) -> "Figure":
     """δ and β of all cases over time."""
-    figure, ((top,), (bottom,)) = panels(2, 1, (7.0, 4.6), sharex=True)
+    figure, ((top,), (bottom,)) = subplots(2, 1, (7.0, 4.6), sharex=True)
     for (case, models), (style, width) in zip(flights.items(), _STYLES, strict=True):
         motions = models["mujoco"][::SHOWN_EVERY]
         t = [motion.t for motion in motions]
@@ -42,16 +42,16 @@ def cases_figure(flights: Flights) -> "Figure":
     for side in (held, -held):
         bottom.axhline(side, color="0.4", lw=0.9, ls=":")
     top.set(ylabel="δ [rad]")
-    bottom.set(ylabel="β [°]", xlabel="time [s]", xlim=(0.0, FULL[-1][0]))
+    bottom.set(ylabel="β [°]", xlabel="time [s]", xlim=(0.0, FULL_DEFLECTION[-1][0]))
     for ax in (top, bottom):
         ax.grid(color="0.92")
     figure.legend(*top.get_legend_handles_labels(), loc="outside upper center", ncols=4, fontsize=8)
     return figure
 
 
-def hands_figure(table: Table) -> "Figure":
+def square_wave_figure(table: Table) -> "Figure":
     """Largest |β| over how long the stick is held."""
-    figure, ((ax,),) = panels(1, 1, (7.0, 3.3))
+    figure, ((ax,),) = subplots(1, 1, (7.0, 3.3))
     held = [float(row[0]) for row in table.rows]
     for (case, colour), (style, width), mark in zip(
         _COLOURS.items(), _STYLES, ("o", "^", "", "x"), strict=True
@@ -68,7 +68,7 @@ def hands_figure(table: Table) -> "Figure":
 
 def map_figure(table: Table) -> "Figure":
     """Largest |β| over the limits of δ̇ and δ̈."""
-    figure, ((ax,),) = panels(1, 1, (7.4, 5.0))
+    figure, ((ax,),) = subplots(1, 1, (7.4, 5.0))
     beta = np.array([float(row[2]) for row in table.rows])
     cells = beta.reshape(len(ACCELERATIONS), len(RATES))
     mesh = ax.pcolormesh(cells, cmap="YlGnBu", vmin=0.4, vmax=2.6, edgecolor="white", lw=0.5)

@@ -1,4 +1,4 @@
-"""The flights of section 4.6: the cases of Table 3, by Lagrange's equations under any hand."""
+"""Section 4.6: the flights of the cases of Table 3, under any schedule of the stick."""
 
 from functools import cache
 from math import degrees
@@ -11,7 +11,7 @@ from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import StickLimits
 from kitemj.plots.flight import Flight, flight_of_motions
 from kitemj.stability.trim import equilibria
-from thesis.programmed_steering import Hand, fill_rows, scenario
+from thesis.programmed_steering import Schedule, lagrange_rows, scenario
 
 LENGTHS = (80.0, 200.0)  # m
 PRINTED_DELTA = 0.1
@@ -38,19 +38,19 @@ Flights = dict[int, dict[str, list[Motion]]]
 
 
 @cache
-def flight(length: float, case: Case, hand: Hand) -> Array:
-    """Rows of a survey of the hand's flight by Lagrange's equations."""
-    return fill_rows(length, case.stick(), hand)
+def case_rows(length: float, case: Case, schedule: Schedule) -> Array:
+    """The flight of `schedule` by Lagrange's equations, as rows of a batch."""
+    return lagrange_rows(length, case.stick(), schedule)
 
 
 def peak_beta(rows: Array) -> float:
-    """Largest |β| [°] in the rows of a survey."""
+    """Largest |β| [°] in the rows of a batch."""
     return degrees(np.abs(rows[:, BETA]).max())
 
 
-def largest_beta(length: float, case: Case, hand: Hand) -> float:
+def largest_beta(length: float, case: Case, schedule: Schedule) -> float:
     """Largest |β| [°] of a flight by Lagrange's equations."""
-    return peak_beta(flight(length, case, hand))
+    return peak_beta(case_rows(length, case, schedule))
 
 
 def held_beta(length: float) -> float:
@@ -59,6 +59,6 @@ def held_beta(length: float) -> float:
     return abs(degrees(found.beta))
 
 
-def flown_case(case: int, motions: list[Motion]) -> Flight:
+def case_flight(case: int, motions: list[Motion]) -> Flight:
     """A case of `CASES` as the plots take it."""
     return flight_of_motions(f"case {case}", scenario(LENGTHS[0]).parameters, motions)

@@ -1,4 +1,4 @@
-"""Section 4.6 in numbers: the cases of Table 3, and what is around and beyond them."""
+"""Section 4.6: tables of the cases of Table 3, of the values around them and beyond."""
 
 from math import degrees, log, sin
 
@@ -14,16 +14,16 @@ from thesis.limits_of_steering_flights import (
     PRINTED_DELTA,
     Case,
     Flights,
-    flight,
-    flown_case,
+    case_flight,
+    case_rows,
     held_beta,
     largest_beta,
     peak_beta,
 )
-from thesis.programmed_steering import FULL, scenario, squares
+from thesis.programmed_steering import FULL_DEFLECTION, scenario, square_wave
 
 HALF_PERIODS = (2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0, 20.0, 30.0, 40.0)  # s
-NUDGE = 0.1
+SENSITIVITY_STEP = 0.1
 """Of a limit; by which it is raised and lowered for its sensitivity."""
 RATES = (0.0025, 0.005, 0.0075, 0.01, 0.015, 0.025, 0.05, 0.075, 0.1, 0.2, 0.5, 1.0)  # rad/s
 ACCELERATIONS = (0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)  # rad/s²
@@ -50,7 +50,7 @@ def ratio_table(flights: Flights) -> Table:
     rows: list[tuple[Cell, ...]] = [
         (case, e.ratio, e.smallest, e.largest, e.largest - e.smallest, e.largest_at_s, not e.reason)
         for case in CASES
-        for e in extremes(flown_case(case, flights[case]["mujoco"]))
+        for e in extremes(case_flight(case, flights[case]["mujoco"]))
     ]
     columns = ("case", "ratio", "smallest", "largest", "change", "largest_at_s", "within")
     return Table("How much of each limit is taken up (mujoco)", columns, rows)
@@ -60,16 +60,16 @@ def lengths_table() -> Table:
     """A row for each length: the largest |β| [°] of each case, and that of δ held."""
     rows: list[tuple[Cell, ...]] = []
     for length in LENGTHS:
-        found = [largest_beta(length, case, FULL) for case in CASES.values()]
+        found = [largest_beta(length, case, FULL_DEFLECTION) for case in CASES.values()]
         rows.append((length, *found, held_beta(length)))
     columns = ("length_m", *(f"case_{case}_deg" for case in CASES), "held_at_δ_max_deg")
     return Table("Largest |β| by the length of the lines", columns, rows)
 
 
-def hands_table() -> Table:
+def square_wave_table() -> Table:
     """A row for each half period of full right and full left in turn."""
     rows: list[tuple[Cell, ...]] = [
-        (half, *(largest_beta(LENGTHS[0], case, squares(half)) for case in CASES.values()))
+        (half, *(largest_beta(LENGTHS[0], case, square_wave(half)) for case in CASES.values()))
         for half in HALF_PERIODS
     ]
     columns = ("held_for_s", *(f"case_{case}_deg" for case in CASES))
@@ -82,10 +82,10 @@ def sensitivity_table() -> Table:
     for name in Case._fields:
         value = getattr(CASES[3], name)
         high, low = (
-            largest_beta(LENGTHS[0], CASES[3]._replace(**{name: value * factor}), FULL)
-            for factor in (1 + NUDGE, 1 - NUDGE)
+            largest_beta(LENGTHS[0], CASES[3]._replace(**{name: value * factor}), FULL_DEFLECTION)
+            for factor in (1 + SENSITIVITY_STEP, 1 - SENSITIVITY_STEP)
         )
-        percent = log(high / low) / log((1 + NUDGE) / (1 - NUDGE))
+        percent = log(high / low) / log((1 + SENSITIVITY_STEP) / (1 - SENSITIVITY_STEP))
         rows.append((_SYMBOLS[name], value, low, high, percent))
     columns = ("limit", "value", "beta_10_percent_less_deg", "beta_10_percent_more_deg")
     title = "Around case 3: percent of |β| for one percent of each limit"
@@ -112,7 +112,7 @@ def map_table() -> Table:
     rows: list[tuple[Cell, ...]] = []
     for acceleration in ACCELERATIONS:
         for rate in RATES:
-            flown = flight(LENGTHS[0], Case(PRINTED_DELTA, rate, acceleration), FULL)
+            flown = case_rows(LENGTHS[0], Case(PRINTED_DELTA, rate, acceleration), FULL_DEFLECTION)
             least = float(flown[:, TENSIONS:].min())
             rows.append((rate, acceleration, peak_beta(flown), least))
     columns = ("δ̇_max_rad_per_s", "δ̈_max_rad_per_s2", "beta_max_deg", "tension_min_N")

@@ -1,4 +1,4 @@
-"""What a report was made on: the machine, and the packages that did the work."""
+"""The machine and the versions of packages that a report was made with."""
 
 import os
 import platform

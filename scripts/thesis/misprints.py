@@ -1,4 +1,4 @@
-"""What the thesis misprints, each shown by a calculation."""
+"""What is misprinted in the thesis, each shown by a calculation."""
 
 from math import cos, radians, sin, sqrt
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""A flight in real time, watched as `kitemj fly` does it: its ticks, and frames at any rate.
+"""A flight in real time with every tick kept, and frames painted at any rate.
 
 The flight has its process, the painter this one. Nothing that is imported here paints, so that
 the first picture of a process may be opened in flight.
@@ -24,22 +24,22 @@ if TYPE_CHECKING:
     from kitemj.drawing.readings import Readings
 
 
-class Painted(NamedTuple):
+class FrameTime(NamedTuple):
     """A frame: begun at `t` [s] of the flight, painted in `duration` [s]."""
 
     t: float
     duration: float
 
 
-class Watched(NamedTuple):
+class ObservedFlight(NamedTuple):
     """What each tick told, the frames, and the wall time [s] that was let go."""
 
     ticks: list[TickNews]
-    frames: list[Painted]
+    frames: list[FrameTime]
     lost: float
 
 
-class Hand(Thread):
+class StickMover(Thread):
     """Throws the stick of `physics` from side to side every `interval` [s] of the clock."""
 
     def __init__(self, physics: FlightProcess, interval: float) -> None:
@@ -48,7 +48,7 @@ class Hand(Thread):
         self._over = Event()
 
     def run(self) -> None:
-        """Until `end`."""
+        """Until `stop`."""
         begun, side = time.perf_counter(), 1.0
         while not self._over.is_set():
             self._physics.command = Command(side)
@@ -56,14 +56,14 @@ class Hand(Thread):
             due = begun + self.moves * self._interval
             self._over.wait(max(0.0, due - time.perf_counter()))
 
-    def end(self) -> None:
+    def stop(self) -> None:
         """Lets go of the stick."""
         self._over.set()
         self.join()
 
 
 @contextmanager
-def flying(scenario: Scenario) -> "Iterator[FlightProcess]":
+def flight_process(scenario: Scenario) -> "Iterator[FlightProcess]":
     """A process that flies `scenario`, paused; it ends with the block."""
     physics = FlightProcess(Setup(scenario, "mujoco", "lagrange", DEFAULT_STEP))
     try:
@@ -75,43 +75,47 @@ def flying(scenario: Scenario) -> "Iterator[FlightProcess]":
         physics.stop("watched")
 
 
-def watch(
+def observe(
     physics: FlightProcess,
     ticks: int,
-    opened: "Callable[[], Picture] | None" = None,
+    open_picture: "Callable[[], Picture] | None" = None,
     interval: float = 0.0,
     stick: "Stick | None" = None,
-    hand: Hand | None = None,
-) -> Watched:
-    """So many `ticks` from the start on, or until the kite touches the ground.
+    mover: StickMover | None = None,
+) -> ObservedFlight:
+    """Flies from the start on, until the ticks are over or the kite touches the ground.
 
-    What is `opened`, once the flight has begun, paints every `interval` [s], or as soon as
-    that can be done. The `stick` is read before each frame; a `hand` moves by itself.
+    physics: the flight, paused
+    ticks: how many
+    open_picture: opens what paints, once the flight has begun; None: nothing is painted
+    interval: s between frames, or as soon as that can be done
+    stick: read before each frame; None: the stick rests
+    mover: moves the stick by itself; None: nobody does
     """
     lost = physics.times.lost
     _restart(physics)
-    if hand:
-        hand.start()
-    flown, frames, due = list[TickNews](), list[Painted](), 0.0
+    if mover:
+        mover.start()
+    flown, frames, due = list[TickNews](), list[FrameTime](), 0.0
     picture: Picture | None = None
     try:
         while len(flown) < ticks and not physics.touch:
             flown += physics.update()
-            if flown and opened and time.perf_counter() >= due:
-                picture = picture or opened()
+            if flown and open_picture and time.perf_counter() >= due:
+                picture = picture or open_picture()
                 painting = time.perf_counter()
                 _paint(physics, picture, stick)
                 done = time.perf_counter()
-                frames.append(Painted(painting - flown[0].begun, done - painting))
+                frames.append(FrameTime(painting - flown[0].begun, done - painting))
                 physics.history.add_frame(painting, done - painting)
                 due = max(due + interval, done)
             else:
                 time.sleep(TICK / 4)
     finally:
-        if hand:
-            hand.end()
+        if mover:
+            mover.stop()
         physics.rate = 0.0
-    return Watched(flown[:ticks], frames, physics.times.lost - lost)
+    return ObservedFlight(flown[:ticks], frames, physics.times.lost - lost)
 
 
 def _restart(physics: FlightProcess) -> None:

@@ -29,7 +29,7 @@ Steering = Callable[[float], Control]
 Array = NDArray[np.float64]
 
 
-class Solved(NamedTuple):
+class Solution(NamedTuple):
     """The motion at the start and at the end of each tick, and what it cost.
 
     Fewer motions than that where the solver gave up. `evaluations` of the right-hand side,
@@ -42,15 +42,23 @@ class Solved(NamedTuple):
     smallest: float
 
 
-def solved(
+def solve(
     parameters: Parameters,
     start: State,
     steering: Sequence[Steering],
     tick: float,
     rtol: float = RTOL,
     atol: float = ATOL,
-) -> Solved:
-    """Lagrange's equations from `start` through one `steering` for each `tick` [s]."""
+) -> Solution:
+    """Lagrange's equations solved, one steering for each tick.
+
+    parameters: the set
+    start: q [rad] and q̇ [rad/s]
+    steering: for each tick the control by time [s]
+    tick: s
+    rtol: relative tolerance of a step
+    atol: absolute tolerance of a step, rad and rad/s
+    """
     from scipy.integrate import RK45
 
     x, step, smallest = np.array([*start.q, *start.q_dot]), tick, tick
@@ -81,7 +89,7 @@ def solved(
             break
         x = solver.y
         motions.append(_motion(parameters, law, end, x))
-    return Solved(motions, evaluations, attempts - steps, smallest)
+    return Solution(motions, evaluations, attempts - steps, smallest)
 
 
 def _motion(parameters: Parameters, law: Steering, t: float, x: Array) -> Motion:

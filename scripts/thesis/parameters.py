@@ -1,4 +1,4 @@
-"""Section 3: the parameters, with and without dimensions, held against what is printed."""
+"""Section 3: the parameters, with and without dimensions, compared with those printed."""
 
 from decimal import Decimal
 from functools import cache
@@ -11,7 +11,7 @@ from kitemj.physics.parameters import Parameters
 from kitemj.stability.vary import with_value
 from kitemj.tables import Cell, Table
 from thesis.misprints import misprint_table, rotation_table
-from thesis.section import Answer, Named, Section, Verdict
+from thesis.section import Answer, NamedTable, Section, Verdict
 
 LENGTHS = (200.0, 80.0)
 """m; L₀ of Tables 9, 10 and section 4.6, and of Table 2."""
@@ -87,10 +87,10 @@ def section(scratch: Path) -> Section:
             "of them would do, and the fourth that R_1E as printed is no rotation.",
         ],
         tables=[
-            Named("parameters_dimensional", dimensional_table()),
-            Named("parameters_dimensionless", dimensionless_table()),
-            Named("misprints", misprint_table()),
-            Named("rotation_readings", rotation_table()),
+            NamedTable("parameters_dimensional", dimensional_table()),
+            NamedTable("parameters_dimensionless", dimensionless_table()),
+            NamedTable("misprints", misprint_table()),
+            NamedTable("rotation_readings", rotation_table()),
         ],
     )
 

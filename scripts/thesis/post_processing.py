@@ -1,4 +1,4 @@
-"""Appendix A: what Fun_Post_KA knows of an instant, and what is known of it here."""
+"""Appendix A: every quantity of LAKSA's post-processing, with its value at one time of a flight."""
 
 from math import asin, atan2, degrees
 from pathlib import Path
@@ -12,7 +12,7 @@ from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.flight.simulate import simulate
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.tables import Cell, Table
-from thesis.section import Answer, Named, Section, Verdict
+from thesis.section import Answer, NamedTable, Section, Verdict
 
 Array = NDArray[np.float64]
 
@@ -31,7 +31,7 @@ ANSWERS = tuple(
 
 def section(scratch: Path) -> Section:
     """Of the set thesis, by the model newton-euler."""
-    table, left_over = instant_table()
+    table, left_over = post_processing_table()
     return Section(
         "What is known of an instant (appendix A)",
         ANSWERS,
@@ -48,11 +48,11 @@ def section(scratch: Path) -> Section:
             f"of angular momentum. Of them {left_over[0]:.0e} N and {left_over[1]:.0e} N m are "
             "left, by rounding.",
         ],
-        tables=[Named("instant", table)],
+        tables=[NamedTable("instant", table)],
     )
 
 
-def instant_table() -> tuple[Table, tuple[float, float]]:
+def post_processing_table() -> tuple[Table, tuple[float, float]]:
     """A row for each quantity; what is left over of force [N] and moment [N m]."""
     steering = {"programme": "sine", "delta_amplitude": 0.1, "delta_frequency": 0.1}
     scenario = scenario_of({"set": "thesis", "duration": WHEN, "steering": steering}, "instant")
@@ -67,11 +67,11 @@ def _table(
     parameters, body = scenario.parameters, motion.body
     kite = parameters.kite
     R, G = np.array(body.R_BE), np.array(body.p_G_E)
-    pulls, turns = [], []
+    line_forces, line_moments = [], []
     for side, tension in zip((1.0, -1.0), motion.tensions, strict=True):
         p_A = np.array(attachment_E(parameters, body, side))
-        pulls.append(-tension * p_A / np.linalg.norm(p_A))
-        turns.append(np.cross(p_A - G, pulls[-1]))
+        line_forces.append(-tension * p_A / np.linalg.norm(p_A))
+        line_moments.append(np.cross(p_A - G, line_forces[-1]))
     air = aerodynamic_wrench(parameters, *body, WHEN)
     force, moment = R.T @ np.array(air.force), R.T @ np.array(air.moment)
     weight = np.array([0.0, 0.0, kite.mass * parameters.environment.gravity])
@@ -80,8 +80,8 @@ def _table(
     tensor[0, 2] = tensor[2, 0] = -kite.inertia_xz
     spin = R.T @ (tensor @ omega_dot + np.cross(omega, tensor @ omega))
     left_over = (
-        float(np.linalg.norm(force + sum(pulls) + weight - kite.mass * np.array(now.a_G_E))),
-        float(np.linalg.norm(moment + sum(turns) - spin)),
+        float(np.linalg.norm(force + sum(line_forces) + weight - kite.mass * np.array(now.a_G_E))),
+        float(np.linalg.norm(moment + sum(line_moments) - spin)),
     )
     euler = (atan2(R[0, 1], R[0, 0]), asin(-R[0, 2]), atan2(R[1, 2], R[2, 2]))
     yaw_pitch_roll = np.degrees(euler)
@@ -98,10 +98,10 @@ def _table(
         _row(12, "omega_p", "ω in B", "rad/s", omega),
         _row(12, "omega_p", "ω̇ in B", "rad/s²", omega_dot),
         _row(13, "Lambda", "tensions of A₊, A₋", "N", motion.tensions),
-        _row(13, "FAP", "force at A₊ in E", "N", pulls[0]),
-        _row(13, "FAM", "force at A₋ in E", "N", pulls[1]),
-        _row(13, "MAP", "moment of it about G, in E", "N m", turns[0]),
-        _row(13, "MAM", "moment of it about G, in E", "N m", turns[1]),
+        _row(13, "FAP", "force at A₊ in E", "N", line_forces[0]),
+        _row(13, "FAM", "force at A₋ in E", "N", line_forces[1]),
+        _row(13, "MAP", "moment of it about G, in E", "N m", line_moments[0]),
+        _row(13, "MAM", "moment of it about G, in E", "N m", line_moments[1]),
         _row(13, "FA", "force of the air in E", "N", force),
         _row(13, "MA", "moment of the air in E", "N m", moment),
         _row(13, "W", "weight in E", "N", weight),

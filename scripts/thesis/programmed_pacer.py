@@ -1,4 +1,4 @@
-"""The real-time loop with the stick in it: what is flown does not depend on the machine's speed."""
+"""A real-time loop that reads a programmed stick at every tick and ends after so many ticks."""
 
 from kitemj.controls.stick import Stick
 from kitemj.drawing.history import History

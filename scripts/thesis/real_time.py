@@ -1,4 +1,4 @@
-"""Section 4.7: what painting, its start and a restless stick do to real time, measured here."""
+"""Section 4.7: real time measured while painting, while starting up, and while the stick moves."""
 
 from collections.abc import Sequence
 from math import isnan, nan
@@ -11,8 +11,16 @@ from kitemj.flight.live import TICK
 from kitemj.tables import Cell, Table
 from thesis.machine import machine
 from thesis.real_time_figures import lateness_figure
-from thesis.real_time_flights import KEPT, SIZE, SMOOTH, SWING, Run, all_flown, unpainted
-from thesis.section import Answer, Drawing, Named, Section, Verdict
+from thesis.real_time_flights import (
+    FLY_INTERVAL,
+    MISSED_ALLOWED,
+    SIZE,
+    SWING,
+    Run,
+    measure_all,
+    measure_without_pictures,
+)
+from thesis.section import Answer, Drawing, NamedTable, Section, Verdict
 
 _PAINTING = "another machine, and a flight in a process of its own, which waits for no picture"
 _STICK = "another machine, and a stick that is read once a tick however often it moves"
@@ -44,12 +52,12 @@ def section(scratch: Path) -> Section:
     """Flights in real time; where there is no OpenGL, those without a picture."""
     answers: Sequence[Answer] = ANSWERS
     try:
-        renderer, runs = _renderer(), all_flown(SECONDS)
-    except NoGraphics as reason:
-        renderer, runs = f"nothing: {reason}", unpainted(SECONDS)
-        because = "nothing can be painted on this machine"
+        renderer, runs = _renderer(), measure_all(SECONDS)
+    except NoGraphics as error:
+        renderer, runs = f"nothing: {error}", measure_without_pictures(SECONDS)
+        reason = "nothing can be painted on this machine"
         answers = [
-            Answer(a.item, Verdict.NOT_APPLICABLE, because) if a.item in NEED_PICTURE else a
+            Answer(a.item, Verdict.NOT_APPLICABLE, reason) if a.item in NEED_PICTURE else a
             for a in ANSWERS
         ]
     groups = {group: [run for run in runs if run.case.group == group] for group in _CAPTIONS}
@@ -66,8 +74,8 @@ def section(scratch: Path) -> Section:
         _WHY,
         drawings,
         timed=[
-            Named("real_time_runs", _run_table(runs)),
-            Named("real_time_lateness", _lateness_table(runs), show=False),
+            NamedTable("real_time_runs", _run_table(runs)),
+            NamedTable("real_time_lateness", _lateness_table(runs), show=False),
         ],
     )
 
@@ -89,8 +97,8 @@ def _here(renderer: str, groups: dict[str, list[Run]]) -> list[str]:
         f"flight lasted {SECONDS:g} s; a tick of {TICK * 1e3:g} ms is missed when it is done more "
         f"than {TICK * 1e3:g} ms after it was due. (kitemj realtime measures more, for as long as "
         f"one likes.)",
-        f"{_besides([run.others for run in runs])} That is in these numbers, and another run gives "
-        f"others.",
+        f"{_besides([run.other_load for run in runs])} That is in these numbers, and another run "
+        f"gives others.",
     ]
     sentences += [
         f"Missed ticks, {_WORDS[group]}: {'; '.join(map(str, runs))}."
@@ -109,9 +117,9 @@ def _here(renderer: str, groups: dict[str, list[Run]]) -> list[str]:
     lost = [run.case.name for run, (_, kept) in both if kept and not run.kept]
     return [
         *sentences,
-        f"Say that real time is kept where no time is lost and at most {KEPT:.0%} of the ticks are "
-        f"missed. It was kept in {sum(run.kept for run in runs)} of {len(runs)} flights. Kept "
-        f"here, not in the thesis: {', '.join(won) or 'none'}. Kept in the thesis, not here: "
+        f"Say that real time is kept where no time is lost and at most {MISSED_ALLOWED:.0%} of the "
+        f"ticks are missed. It was kept in {sum(run.kept for run in runs)} of {len(runs)} flights. "
+        f"Kept here, not in the thesis: {', '.join(won) or 'none'}. Kept in the thesis, not here: "
         f"{', '.join(lost) or 'none'}.",
     ]
 
@@ -165,7 +173,7 @@ def _run_table(runs: list[Run]) -> Table:
                 float(np.median(frames)),
                 max(frames),
                 run.moves,
-                run.others,
+                run.other_load,
             )
         )
     return Table(f"flights of {SECONDS:g} s in real time", columns, rows)
@@ -183,7 +191,7 @@ _CAPTIONS = {
     "display": "How often a picture is painted.",
     "start": "The first picture opened in flight, and before it.",
     "input": f"How often the stick goes from one side to the other, ±{SWING:g} rad, with "
-    f"{1 / SMOOTH:.0f} pictures a second.",
+    f"{1 / FLY_INTERVAL:.0f} pictures a second.",
 }
 _CURVES = (
     "Blue: how late each tick was done; above the dashed line it is missed. Red: missed ticks so "

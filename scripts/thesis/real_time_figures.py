@@ -1,4 +1,4 @@
-"""Section 4.7 drawn: how late ticks were, and how many were missed."""
+"""Section 4.7: figures of how late ticks were, and how many were missed."""
 
 from math import ceil
 from typing import TYPE_CHECKING
@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kitemj.flight.live import TICK
-from thesis.panels import panels
-from thesis.real_time_flights import SMOOTH, Run
+from thesis.real_time_flights import FLY_INTERVAL, Run
+from thesis.subplots import subplots
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,7 +18,7 @@ def lateness_figure(runs: list[Run]) -> "Figure":
     """A panel for each flight."""
     columns = min(len(runs), 3)
     rows = ceil(len(runs) / columns)
-    figure, axes = panels(
+    figure, axes = subplots(
         rows, columns, (4.0 * columns + 0.5, 2.9 * rows), sharex=True, sharey=True
     )
     worst = max(10 * TICK, *(float(run.late.max()) for run in runs))
@@ -40,7 +40,7 @@ def lateness_figure(runs: list[Run]) -> "Figure":
 def _panel(ax: "Axes", run: Run) -> None:
     """How late ticks were; where frames are few, when they were begun."""
     case = run.case
-    if case.frames is not None and case.frames > 10 * SMOOTH:
+    if case.frames is not None and case.frames > 10 * FLY_INTERVAL:
         for frame in run.frames:
             ax.axvline(frame.t, color="0.7", lw=3)
     t = TICK * np.arange(len(run.late))

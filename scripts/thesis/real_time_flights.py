@@ -1,4 +1,4 @@
-"""The flights of section 4.7: with pictures at any rate, a cold start, a restless stick.
+"""Section 4.7: the flights in real time: pictures at any rate, a cold start, a moving stick.
 
 What is measured is the loop of `kitemj fly`, with another painter. Nothing that is imported
 here paints: the first picture of the cold start is to be the first.
@@ -16,20 +16,20 @@ from numpy.typing import NDArray
 from kitemj.flight.live import TICK
 from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.realtime.process import FlightProcess
-from thesis.observed_flight import Hand, Painted, flying, watch
-from thesis.other_work import others, work
+from thesis.observed_flight import FrameTime, StickMover, flight_process, observe
+from thesis.processor_load import other_load, processor_time
 
 if TYPE_CHECKING:
     from kitemj.drawing.picture import Picture
 
 SIZE = (1280, 720)
-SMOOTH = 1 / 30
+FLY_INTERVAL = 1 / 30
 """s; between frames of `kitemj fly`."""
 
 SWING = 0.15
 """rad; the thesis changes δ from this to its opposite."""
 
-KEPT = 0.01
+MISSED_ALLOWED = 0.01
 """Of the ticks may be missed, and no time lost, where real time is said to be kept."""
 
 
@@ -50,31 +50,31 @@ CASES = (
     Case("display", "a picture every 5 s", 5.0, thesis=("Figure 39", True)),
     Case("display", "a picture every 1 s", 1.0, thesis=("Figure 38", True)),
     Case("display", "a picture every 0.5 s", 0.5, thesis=("Figure 40", False)),
-    Case("display", "30 pictures a second", SMOOTH),
+    Case("display", "30 pictures a second", FLY_INTERVAL),
     Case("display", "pictures as fast as possible", 0.0),
-    Case("start", "cold start", SMOOTH, thesis=("Figure 41", False), cold=True),
-    Case("start", "warm start", SMOOTH, thesis=("Figure 42", True)),
-    Case("input", "stick moved every 5 s", SMOOTH, 5.0, ("Figure 44", True)),
-    Case("input", "stick moved every 1 s", SMOOTH, 1.0, ("Figure 43", True)),
-    Case("input", "stick moved every 0.4 s", SMOOTH, 0.4, ("Figure 46", True)),
-    Case("input", "stick moved every 0.1 s", SMOOTH, 0.1, ("Figure 45", False)),
-    Case("input", "stick moved every 10 ms", SMOOTH, 0.01),
-    Case("input", "stick moved every 1 ms", SMOOTH, 0.001),
+    Case("start", "cold start", FLY_INTERVAL, thesis=("Figure 41", False), cold=True),
+    Case("start", "warm start", FLY_INTERVAL, thesis=("Figure 42", True)),
+    Case("input", "stick moved every 5 s", FLY_INTERVAL, 5.0, ("Figure 44", True)),
+    Case("input", "stick moved every 1 s", FLY_INTERVAL, 1.0, ("Figure 43", True)),
+    Case("input", "stick moved every 0.4 s", FLY_INTERVAL, 0.4, ("Figure 46", True)),
+    Case("input", "stick moved every 0.1 s", FLY_INTERVAL, 0.1, ("Figure 45", False)),
+    Case("input", "stick moved every 10 ms", FLY_INTERVAL, 0.01),
+    Case("input", "stick moved every 1 ms", FLY_INTERVAL, 0.001),
 )
 
 
 class Run(NamedTuple):
     """What was measured: `late` [s] of each tick, frames, moves of the stick, time lost [s].
 
-    `others`: cores that other programs kept busy meanwhile.
+    `other_load`: cores that other programs kept busy meanwhile.
     """
 
     case: Case
     late: NDArray[np.float64]
-    frames: list[Painted]
+    frames: list[FrameTime]
     moves: int
     lost: float
-    others: float
+    other_load: float
 
     @property
     def missed(self) -> NDArray[np.bool_]:
@@ -83,8 +83,8 @@ class Run(NamedTuple):
 
     @property
     def kept(self) -> bool:
-        """Whether real time was kept, as `KEPT` has it."""
-        return self.missed.mean() <= KEPT and self.lost == 0.0
+        """Whether real time was kept, as `MISSED_ALLOWED` has it."""
+        return self.missed.mean() <= MISSED_ALLOWED and self.lost == 0.0
 
     @property
     def last_missed(self) -> float:
@@ -100,32 +100,32 @@ class Run(NamedTuple):
         )
 
 
-def the_scenario(seconds: float) -> Scenario:
+def make_scenario(seconds: float) -> Scenario:
     """The thesis kite, with room for its `SWING`, for so many `seconds` [s]."""
     tables = {"set": "thesis", "duration": seconds, "stick": {"delta": SWING}}
     return scenario_of(tables, "the flights of section 4.7")
 
 
-def flown(
-    case: Case, seconds: float, physics: FlightProcess, opened: "Callable[[], Picture] | None"
+def measure(
+    case: Case, seconds: float, physics: FlightProcess, open_picture: "Callable[[], Picture] | None"
 ) -> Run:
-    """`case` for so many `seconds` [s] in real time; where nothing is `opened`, not painted."""
-    hand = Hand(physics, case.moves) if case.moves else None
-    before = work()
-    if opened and case.frames is not None:
-        seen = watch(physics, round(seconds / TICK), opened, case.frames, hand=hand)
+    """`case` flown for so many `seconds` [s] in real time; not painted without `open_picture`."""
+    mover = StickMover(physics, case.moves) if case.moves else None
+    before = processor_time()
+    if open_picture and case.frames is not None:
+        flight = observe(physics, round(seconds / TICK), open_picture, case.frames, mover=mover)
     else:
-        seen = watch(physics, round(seconds / TICK), hand=hand)
-    busy = others(before, work())
-    late = np.array([tick.lateness for tick in seen.ticks])
-    return Run(case, late, seen.frames, hand.moves if hand else 0, seen.lost, busy)
+        flight = observe(physics, round(seconds / TICK), mover=mover)
+    busy = other_load(before, processor_time())
+    late = np.array([tick.lateness for tick in flight.ticks])
+    return Run(case, late, flight.frames, mover.moves if mover else 0, flight.lost, busy)
 
 
-def flown_cold(case: Case, seconds: float) -> Run:
+def measure_cold(case: Case, seconds: float) -> Run:
     """In a process that has never painted: all that painting needs is loaded in flight."""
-    scenario = the_scenario(seconds)
-    with ExitStack() as stack, flying(scenario) as physics:
-        return flown(case, seconds, physics, lambda: stack.enter_context(_picture(scenario)))
+    scenario = make_scenario(seconds)
+    with ExitStack() as stack, flight_process(scenario) as physics:
+        return measure(case, seconds, physics, lambda: stack.enter_context(_picture(scenario)))
 
 
 def _picture(scenario: Scenario) -> "Picture":
@@ -134,14 +134,15 @@ def _picture(scenario: Scenario) -> "Picture":
     return Picture(scenario.parameters, *SIZE)
 
 
-def all_flown(seconds: float) -> list[Run]:
+def measure_all(seconds: float) -> list[Run]:
     """Every case; raises NoGraphics where nothing can be painted."""
-    scenario = the_scenario(seconds)
+    scenario = make_scenario(seconds)
     cold = {case.name: _alone(case, seconds) for case in CASES if case.cold}
-    with _picture(scenario) as picture, flying(scenario) as physics:
+    with _picture(scenario) as picture, flight_process(scenario) as physics:
         _warm_up(picture, physics)
         return [
-            cold.get(case.name) or flown(case, seconds, physics, lambda: picture) for case in CASES
+            cold.get(case.name) or measure(case, seconds, physics, lambda: picture)
+            for case in CASES
         ]
 
 
@@ -154,11 +155,11 @@ def _warm_up(picture: "Picture", physics: FlightProcess) -> None:
 
 def _alone(case: Case, seconds: float) -> Run:
     with ProcessPoolExecutor(1, get_context("spawn")) as pool:
-        return pool.submit(flown_cold, case, seconds).result()
+        return pool.submit(measure_cold, case, seconds).result()
 
 
-def unpainted(seconds: float) -> list[Run]:
+def measure_without_pictures(seconds: float) -> list[Run]:
     """The cases that are left where nothing can be painted."""
     cases = [case for case in CASES if case.group == "input" or case.frames is None]
-    with flying(the_scenario(seconds)) as physics:
-        return [flown(case, seconds, physics, None) for case in cases]
+    with flight_process(make_scenario(seconds)) as physics:
+        return [measure(case, seconds, physics, None) for case in cases]

@@ -1,4 +1,4 @@
-"""The report: every section computed, written as one page with its figures and tables.
+"""The report: computes every section and writes one page with its figures and tables.
 
 ::
 
@@ -19,9 +19,9 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from kitemj.tables import write
 from thesis import (
     answers,
+    coordinate_frames,
     display,
     equilibrium,
-    frames_drawn,
     free_and_steered,
     limits_of_steering,
     parameters,
@@ -33,12 +33,12 @@ from thesis import (
 )
 from thesis.folder import new_folder
 from thesis.machine import machine, packages
-from thesis.section import Drawing, Named, Section, Writer
-from thesis.wording import heading, shown, typeset
+from thesis.section import Drawing, NamedTable, Section, SectionModule
+from thesis.typesetting import typeset, typeset_cell, typeset_heading
 
-WRITERS: tuple[Writer, ...] = (
+SECTIONS: tuple[SectionModule, ...] = (
     parameters,
-    frames_drawn,
+    coordinate_frames,
     equilibrium,
     free_and_steered,
     sticks,
@@ -55,36 +55,36 @@ WRITERS: tuple[Writer, ...] = (
 def write_report(
     folder: Path,
     overwrite: bool,
-    writers: Sequence[Writer],
-    tell: Callable[[str, int], None],
+    modules: Sequence[SectionModule],
+    progress: Callable[[str, int], None],
 ) -> list[Section]:
-    """Computes the sections of `writers` and writes the report into `folder`.
+    """Computes the sections of `modules` and writes the report into `folder`.
 
-    `tell` is called before each section with its name and how many are done. Raises InputError
+    `progress` is called before each section with its name and how many are done. Raises InputError
     for a folder with content (unless `overwrite`), and whatever makes a section fail; nothing
     is written then.
     """
     with new_folder(folder, overwrite) as part, TemporaryDirectory() as scratch:
         sections = []
-        for done, writer in enumerate(writers):
-            name = writer.__name__.rsplit(".", 1)[-1]
-            tell(name.replace("_", " "), done)
+        for done, module in enumerate(modules):
+            name = module.__name__.rsplit(".", 1)[-1]
+            progress(name.replace("_", " "), done)
             own = Path(scratch) / name
             own.mkdir()
-            sections.append(writer.section(own))
-        _check(sections)
+            sections.append(module.section(own))
+        _check_sections(sections)
         for name in ("figures", "tables"):
             (part / name).mkdir()
         for section in sections:
             for drawing in section.drawings:
-                _draw(drawing, part / "figures")
+                _save_drawing(drawing, part / "figures")
             for named in (*section.tables, *section.timed):
-                _tabulate(named, part / "tables")
+                _save_table(named, part / "tables")
         (part / "index.html").write_text(_page(sections), encoding="utf-8")
     return sections
 
 
-def _check(sections: Sequence[Section]) -> None:
+def _check_sections(sections: Sequence[Section]) -> None:
     """Two files of one name, or an answer that points nowhere, are mistakes in the sections."""
     for kind in ("drawings", "tables"):
         names = [part.name for section in sections for part in getattr(section, kind)]
@@ -92,7 +92,7 @@ def _check(sections: Sequence[Section]) -> None:
         twice = {name for name in names if names.count(name) > 1}
         if twice:
             raise ValueError(f"two {kind} are called {', '.join(sorted(twice))}")
-    missing = [fault for section in sections for fault in answers.not_shown(section)]
+    missing = [fault for section in sections for fault in answers.dangling(section)]
     if missing:
         raise ValueError("; ".join(missing))
 
@@ -103,7 +103,7 @@ def file_of(drawing: Drawing) -> str:
     return drawing.name + suffix
 
 
-def _draw(drawing: Drawing, folder: Path) -> None:
+def _save_drawing(drawing: Drawing, folder: Path) -> None:
     path = folder / file_of(drawing)
     if isinstance(drawing.figure, Path):
         copyfile(drawing.figure, path)
@@ -114,7 +114,7 @@ def _draw(drawing: Drawing, folder: Path) -> None:
         drawing.figure.savefig(path, metadata={"Date": None})
 
 
-def _tabulate(named: Named, folder: Path) -> None:
+def _save_table(named: NamedTable, folder: Path) -> None:
     for suffix in (".csv", ".parquet"):
         write(folder / f"{named.name}{suffix}", [named.table], {}, overwrite=False)
 
@@ -129,12 +129,12 @@ def _page(sections: Sequence[Section]) -> str:
     )
     drawings = {drawing.name for section in sections for drawing in section.drawings}
 
-    def place(row: answers.Row) -> str:
-        name = row.answer.shown
+    def anchor(row: answers.Row) -> str:
+        name = row.answer.shown_by
         return f"figure-{name}" if name in drawings else f"table-{name}"
 
-    environment.filters |= {"shown": shown, "heading": heading, "typeset": typeset}
-    environment.filters["file_of"], environment.filters["place"] = file_of, place
+    environment.filters |= {f.__name__: f for f in (typeset, typeset_cell, typeset_heading)}
+    environment.filters |= dict[str, Callable[..., str]](file_of=file_of, anchor=anchor)
     return environment.get_template("report.html.j2").render(
         sections=sections,
         rows=answers.rows(sections),

@@ -1,9 +1,9 @@
-"""What a section of the report is made of: sentences, figures, tables, answers.
+"""The parts of a section of the report: sentences, figures, tables, answers.
 
 A section is a module with `ANSWERS`, which figures and tables of the thesis it answers (at
 its top, so that the list of all can be checked without computing anything), and the function
 `section`, whose result has the same `answers`. A long one has its flights, tables and figures
-beside it, in NAME_flights.py, NAME_tables.py and NAME_figures.py.
+beside it, in files whose names end in _flights, _tables and _figures.
 """
 
 from collections.abc import Sequence
@@ -28,15 +28,15 @@ class Verdict(Enum):
 class Answer(NamedTuple):
     """One row of the list at the end: `item` as the thesis names it ("Figure 33", "Table 3").
 
-    `because` is empty only where the verdict is REPRODUCED and nothing is to be added.
-    `shown` names the drawing or table of the section that shows it, and is empty only where
+    `reason` is empty only where the verdict is REPRODUCED and nothing is to be added.
+    `shown_by` names the drawing or table of the section that shows it, and is empty only where
     the verdict is NOT_APPLICABLE.
     """
 
     item: str
     verdict: Verdict
-    because: str = ""
-    shown: str = ""
+    reason: str = ""
+    shown_by: str = ""
 
 
 class Drawing(NamedTuple):
@@ -47,7 +47,7 @@ class Drawing(NamedTuple):
     figure: "Figure | Path"
 
 
-class Named(NamedTuple):
+class NamedTable(NamedTuple):
     """A table under a name that its file gets; `show` false: only in the file."""
 
     name: str
@@ -68,11 +68,11 @@ class Section(NamedTuple):
     here: Sequence[str]
     why: Sequence[str] = ()
     drawings: Sequence[Drawing] = ()
-    tables: Sequence[Named] = ()
-    timed: Sequence[Named] = ()
+    tables: Sequence[NamedTable] = ()
+    timed: Sequence[NamedTable] = ()
 
 
-class Writer(Protocol):
+class SectionModule(Protocol):
     """A module that is a section; `scratch` is a folder for files that pass through it."""
 
     __name__: str

@@ -1,4 +1,4 @@
-"""Section 4.2: δ, δ̇ and δ̈ as a knob gives them, raw and shaped, and what a solver makes of them."""
+"""Section 4.2: δ, δ̇ and δ̈ from a knob, raw and shaped, and what they cost a solver."""
 
 from pathlib import Path
 
@@ -9,32 +9,38 @@ from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import rest_ell
 from kitemj.tables import Cell, Table
 from thesis.ode45 import ATOL, RTOL
-from thesis.section import Answer, Drawing, Named, Section, Verdict
+from thesis.section import Answer, Drawing, NamedTable, Section, Verdict
 from thesis.sticks_figures import growth_figure, signals_figure
 from thesis.sticks_flights import (
     DURATION,
-    FINER,
+    FINE_TICKS,
     SIGNALS,
     TICKS,
-    Flight,
-    Made,
-    Steered,
-    flown,
-    raw,
-    smooth,
+    AllSignals,
+    SolvedFlight,
+    StickSignals,
+    raw_signals,
+    shaped_signals,
+    solve_flight,
 )
 
 _DIAGRAM = "a Simulink block diagram; the same is done by "
 
 ANSWERS = (
-    Answer("Figure 16", Verdict.NOT_APPLICABLE, _DIAGRAM + "StickLaw.ANGLE in physics/shaping.py"),
-    Answer("Figure 17", Verdict.NOT_APPLICABLE, _DIAGRAM + "StickLaw.RATE in physics/shaping.py"),
+    Answer(
+        "Figure 16",
+        Verdict.NOT_APPLICABLE,
+        _DIAGRAM + "StickLaw.ANGLE in kitemj/physics/shaping.py",
+    ),
+    Answer(
+        "Figure 17", Verdict.NOT_APPLICABLE, _DIAGRAM + "StickLaw.RATE in kitemj/physics/shaping.py"
+    ),
     Answer(
         "Figure 18",
         Verdict.NOT_APPLICABLE,
-        _DIAGRAM + "StickLaw.ACCELERATION in physics/shaping.py",
+        _DIAGRAM + "StickLaw.ACCELERATION in kitemj/physics/shaping.py",
     ),
-    Answer("Figure 19", Verdict.NOT_APPLICABLE, _DIAGRAM + "LiveFlight in flight/live.py"),
+    Answer("Figure 19", Verdict.NOT_APPLICABLE, _DIAGRAM + "LiveFlight in kitemj/flight/live.py"),
     Answer("Figure 20", Verdict.REPRODUCED, "the peaks of a knob without a filter", "sticks_raw"),
     Answer(
         "Figure 21",
@@ -42,7 +48,7 @@ ANSWERS = (
         "the peaks are gone; by a plan within limits, where the thesis cuts slopes",
         "sticks_shaped",
     ),
-    Answer("Figure 22", Verdict.NOT_APPLICABLE, _DIAGRAM + "shaped in physics/shaping.py"),
+    Answer("Figure 22", Verdict.NOT_APPLICABLE, _DIAGRAM + "shaped in kitemj/physics/shaping.py"),
 )
 
 
@@ -51,10 +57,15 @@ def section(scratch: Path) -> Section:
     scenario = scenario_of({"set": "thesis", "duration": DURATION}, "the sticks of section 4.2")
     parameters, limits = scenario.parameters, scenario.parameters.stick
     ell = rest_ell(parameters.lines.length, parameters.kite.y_A)
-    made = [make(limits, ell, law, t) for law in StickLaw for make in (raw, smooth) for t in FINER]
-    at: Made = {(s.kind, s.law, s.tick): s for s in made}
+    made = [
+        make(limits, ell, law, t)
+        for law in StickLaw
+        for make in (raw_signals, shaped_signals)
+        for t in FINE_TICKS
+    ]
+    at: AllSignals = {(s.kind, s.law, s.tick): s for s in made}
     chosen = [s for s in made if s.tick in TICKS]
-    flights = [flown(scenario, steered) for steered in chosen]
+    flights = [solve_flight(scenario, signals) for signals in chosen]
     drawings = [
         Drawing(
             "sticks_raw",
@@ -78,8 +89,8 @@ def section(scratch: Path) -> Section:
         ),
     ]
     tables = [
-        Named("sticks_peaks", _peak_table(limits, [s for s in chosen if s.tick == TICK])),
-        Named("sticks_solver", _solver_table(flights)),
+        NamedTable("sticks_peaks", _peak_table(limits, [s for s in chosen if s.tick == TICK])),
+        NamedTable("sticks_solver", _solver_table(flights)),
     ]
     return Section(
         "The stick: δ, δ̇, δ̈ (section 4.2)",
@@ -92,18 +103,18 @@ def section(scratch: Path) -> Section:
     )
 
 
-def _here(limits: StickLimits, flights: list[Flight]) -> list[str]:
+def _here(limits: StickLimits, flights: list[SolvedFlight]) -> list[str]:
     """What the flights show."""
-    of = {(f.steered.kind, f.steered.law, f.steered.tick): f for f in flights}
-    raws, smooths = ([f for f in flights if f.steered.kind == kind] for kind in ("raw", "shaped"))
+    of = {(f.signals.kind, f.signals.law, f.signals.tick): f for f in flights}
+    raws, smooths = ([f for f in flights if f.signals.kind == kind] for kind in ("raw", "shaped"))
     hardest = max(raws, key=lambda f: f.found.rejected)
-    law, tick = hardest.steered.law, hardest.steered.tick
+    law, tick = hardest.signals.law, hardest.signals.tick
     same = of["shaped", law, tick].found
-    largest = [max(f.steered.peak(n) / getattr(limits, n) for f in smooths) for n in SIGNALS]
-    pulls = [pull for f in smooths for pull in f.pulls]
+    largest = [max(f.signals.peak(n) / getattr(limits, n) for f in smooths) for n in SIGNALS]
+    tension_range = [pull for f in smooths for pull in f.tension_range]
     return [
         *(
-            _grown(limits, *(of["raw", law, tick] for tick in TICKS[:: len(TICKS) - 1]))
+            _growth_text(limits, *(of["raw", law, tick] for tick in TICKS[:: len(TICKS) - 1]))
             for law in StickLaw
         ),
         f"The solver has most to do with {law.symbol} raw at a tick of {tick * 1e3:g} ms: "
@@ -112,17 +123,17 @@ def _here(limits: StickLimits, flights: list[Flight]) -> list[str]:
         f"for the same moves shaped.",
         f"Shaped, with all three laws at all ticks, |δ|, |δ̇| and |δ̈| reach {largest[0]:.3f}, "
         f"{largest[1]:.3f} and {largest[2]:.3f} of their limits, tensions stay between "
-        f"{min(pulls):.1f} N and {max(pulls):.1f} N, at most "
+        f"{min(tension_range):.1f} N and {max(tension_range):.1f} N, at most "
         f"{max(f.found.rejected for f in smooths)} steps are rejected, and "
         f"{sum(f.departure is not None for f in smooths)} of {len(smooths)} flights leave the "
         f"limits of validity.",
     ]
 
 
-def _grown(limits: StickLimits, coarse: Flight, fine: Flight) -> str:
+def _growth_text(limits: StickLimits, coarse: SolvedFlight, fine: SolvedFlight) -> str:
     """What one law does raw, at the longest and at the shortest tick."""
-    rough, fast = coarse.steered, fine.steered
-    ddot, (low, high) = fast.peak("delta_ddot"), fine.pulls
+    rough, fast = coarse.signals, fine.signals
+    ddot, (low, high) = fast.peak("delta_ddot"), fine.tension_range
     valid = f"{fine.departure}." if fine.departure else "the limits of validity are kept."
     return (
         f"{fast.law.symbol} raw: at ticks of {rough.tick * 1e3:g} ms and {fast.tick * 1e3:g} ms "
@@ -133,19 +144,19 @@ def _grown(limits: StickLimits, coarse: Flight, fine: Flight) -> str:
     )
 
 
-def _peak_table(limits: StickLimits, steered: list[Steered]) -> Table:
+def _peak_table(limits: StickLimits, signals: list[StickSignals]) -> Table:
     """A row for each law and kind at the tick of a live flight."""
     columns = ["law", "stick"]
     for name, unit in zip(SIGNALS, ("rad", "rad_per_s", "rad_per_s2"), strict=True):
         columns += [f"peak_{name}_{unit}", f"{name}_over_limit"]
     rows = list[tuple[Cell, ...]]()
-    for s in steered:
+    for s in signals:
         peaks = [(s.peak(name), s.peak(name) / getattr(limits, name)) for name in SIGNALS]
         rows.append((s.law.symbol, s.kind, *(number for pair in peaks for number in pair)))
     return Table(f"peaks at a tick of {TICK * 1e3:g} ms", tuple(columns), rows)
 
 
-def _solver_table(flights: list[Flight]) -> Table:
+def _solver_table(flights: list[SolvedFlight]) -> Table:
     """A row for each flight."""
     columns = (
         "law",
@@ -169,7 +180,7 @@ def _solver_table(flights: list[Flight]) -> Table:
             found.evaluations,
             found.rejected,
             found.smallest,
-            *flight.pulls,
+            *flight.tension_range,
             departure.t if departure else DURATION,
             departure.ending.name.lower() if departure else "the end",
         )

@@ -1,4 +1,4 @@
-"""Sections 4.3 and 4.4: a flight steered in real time, and its input flown again."""
+"""Sections 4.3 and 4.4: a flight steered in real time, compared with replays of its input."""
 
 from collections.abc import Mapping
 from math import nan
@@ -8,24 +8,24 @@ import numpy as np
 
 from kitemj.recording.file import Recording
 from kitemj.tables import Cell, Table
-from thesis.section import Answer, Drawing, Named, Section, Verdict
+from thesis.section import Answer, Drawing, NamedTable, Section, Verdict
 from thesis.verification_figures import control_figure, state_figure
 from thesis.verification_flights import (
     ANGLES,
     POSITION,
-    Again,
     Array,
-    all_again,
-    apart,
+    ReplayedFlight,
+    all_replays,
+    distances,
     interpolation_errors,
-    recorded,
+    record_flight,
 )
 
 ANSWERS = (
     Answer(
         "Figure 23",
         Verdict.NOT_APPLICABLE,
-        "a flow chart; the same is done by replay in recording/replay.py, from the shell by "
+        "a flow chart; the same is done by replay in kitemj/recording/replay.py, from the shell by "
         "kitemj replay FILE --model lagrange",
     ),
     Answer(
@@ -60,47 +60,49 @@ TENSIONS = ("tension_plus_N", "tension_minus_N")
 
 def section(scratch: Path) -> Section:
     """A flight in real time, flown again."""
-    recording = recorded(scratch / "interactive.arrows", SECONDS)
-    again, errors = all_again(recording), interpolation_errors(recording)
+    recording = record_flight(scratch / "interactive.arrows", SECONDS)
+    replays, errors = all_replays(recording), interpolation_errors(recording)
     drawings = [
         Drawing(
             "verification_control",
             "Above, δ that was flown in real time and δ of the flights from its recording, by "
             "equation (9) from where the attachments are. Below, how far these are from the "
             "real-time flight, and straight lines between saved values from what was steered.",
-            control_figure(recording, again, errors),
+            control_figure(recording, replays, errors),
         ),
         Drawing(
             "verification_state",
             "Left, the state in real time and flown again from the recording; right, the "
             "differences, on a logarithmic axis. Where a curve is missing the difference is "
             "exactly zero.",
-            state_figure(recording, again),
+            state_figure(recording, replays),
         ),
     ]
     return Section(
         "The flight verified: its input flown again (sections 4.3 and 4.4)",
         ANSWERS,
         _THESIS,
-        _here(recording, again, errors),
+        _here(recording, replays, errors),
         _WHY,
         drawings,
         [
-            Named("verification_differences", _difference_table(recording, again)),
-            Named("verification_interpolation", _interpolation_table(errors)),
+            NamedTable("verification_differences", _difference_table(recording, replays)),
+            NamedTable("verification_interpolation", _interpolation_table(errors)),
         ],
     )
 
 
-def _here(recording: Recording, again: list[Again], errors: Mapping[str, Array]) -> list[str]:
+def _here(
+    recording: Recording, replays: list[ReplayedFlight], errors: Mapping[str, Array]
+) -> list[str]:
     """What the flights show."""
-    of = {a.name: a for a in again}
+    of = {a.name: a for a in replays}
 
     def gap(name: str) -> float:
-        return float(np.nanmax(apart(recording, of[name], POSITION)))
+        return float(np.nanmax(distances(recording, of[name], POSITION)))
 
     def state(name: str) -> float:
-        return max(float(np.nanmax(apart(recording, of[name], (n,)))) for n in ANGLES)
+        return max(float(np.nanmax(distances(recording, of[name], (n,)))) for n in ANGLES)
 
     identical = of["mujoco, exact"].note
     return [
@@ -122,13 +124,13 @@ def _here(recording: Recording, again: list[Again], errors: Mapping[str, Array])
     ]
 
 
-def _difference_table(recording: Recording, again: list[Again]) -> Table:
+def _difference_table(recording: Recording, replays: list[ReplayedFlight]) -> Table:
     """A row for each flight: the largest differences to the recording."""
     columns = ("flown_again_by", "position_m", *ANGLES, "alpha_deg", "beta_deg", *TENSIONS, "note")
     rows = list[tuple[Cell, ...]]()
-    for a in again:
+    for a in replays:
         one = [POSITION, *((name,) for name in columns[2:-1])]
-        rows.append((a.name, *(_largest(apart(recording, a, names)) for names in one), a.note))
+        rows.append((a.name, *(_largest(distances(recording, a, names)) for names in one), a.note))
     return Table("largest differences to the recorded flight", columns, rows)
 
 

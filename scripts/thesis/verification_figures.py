@@ -1,4 +1,4 @@
-"""Sections 4.3 and 4.4 drawn: control and state of all flights, and their differences."""
+"""Sections 4.3 and 4.4: figures of control and state of all replays, and of the differences."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kitemj.recording.file import Recording
-from thesis.panels import panels
-from thesis.verification_flights import ANGLES, Again, Array, apart, deltas
+from thesis.subplots import subplots
+from thesis.verification_flights import ANGLES, Array, ReplayedFlight, delta_series, distances
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 ROUNDING = 1e-17
 """rad; smaller differences of δ are not drawn."""
 
-LOOKS = {
+COLOURS = {
     "lagrange, exact": "C0",
     "newton-euler, exact": "C1",
     "ode45 tight, interp1": "C2",
@@ -26,17 +26,17 @@ LOOKS = {
 
 
 def control_figure(
-    recording: Recording, again: list[Again], errors: Mapping[str, Array]
+    recording: Recording, replays: list[ReplayedFlight], errors: Mapping[str, Array]
 ) -> "Figure":
     """δ, and the differences."""
-    figure, axes = panels(2, 1, (8.5, 6.0), sharex=True)
+    figure, axes = subplots(2, 1, (8.5, 6.0), sharex=True)
     above, below = axes[:, 0]
-    t, flown = recording.columns["t_s"], deltas(recording.parameters, recording.columns)
+    t, flown = recording.columns["t_s"], delta_series(recording.parameters, recording.columns)
     above.plot(t, flown, color="0.6", lw=4, label="in real time")
-    for a in again:
+    for a in replays:
         if a.name in ("lagrange, exact", "newton-euler, exact"):
-            own = deltas(recording.parameters, a.columns)
-            style = {"color": LOOKS[a.name], "label": a.name}
+            own = delta_series(recording.parameters, a.columns)
+            style = {"color": COLOURS[a.name], "label": a.name}
             above.plot(t, own, "--" if a.name[0] == "l" else ":", lw=1.6, **style)
             _logarithmic(below, t, np.abs(own - flown), **style)
     _logarithmic(below, errors["t_s"], errors["delta"], color="C3", label="interp1")
@@ -47,20 +47,20 @@ def control_figure(
     return figure
 
 
-def state_figure(recording: Recording, again: list[Again]) -> "Figure":
+def state_figure(recording: Recording, replays: list[ReplayedFlight]) -> "Figure":
     """φ, γ, η, θ, and the differences."""
-    figure, axes = panels(len(ANGLES), 2, (10.5, 9.0), sharex=True)
+    figure, axes = subplots(len(ANGLES), 2, (10.5, 9.0), sharex=True)
     t = recording.columns["t_s"]
     for (left, right), name, symbol in zip(
         axes, ANGLES, (r"\varphi", r"\gamma", r"\eta", r"\theta"), strict=True
     ):
         left.plot(t, np.degrees(recording.columns[name]), color="0.6", lw=4, label="in real time")
-        for a in again:
-            if a.name in LOOKS:
-                style = {"color": LOOKS[a.name], "label": a.name}
+        for a in replays:
+            if a.name in COLOURS:
+                style = {"color": COLOURS[a.name], "label": a.name}
                 own = t[:: a.every]
                 left.plot(own, np.degrees(a.columns[name]), "--", lw=1.2, **style)
-                _logarithmic(right, own, apart(recording, a, (name,)), **style)
+                _logarithmic(right, own, distances(recording, a, (name,)), **style)
         left.set_ylabel(f"${symbol}$ [deg]")
         right.set_ylabel(f"difference of ${symbol}$ [rad]")
     for ax in axes[-1]:

@@ -1,4 +1,4 @@
-"""The flights of section 4.3: one steered in real time, its input flown again, the gaps between."""
+"""Section 4.3: a flight steered in real time, replays of its input, and the differences."""
 
 from collections.abc import Mapping
 from functools import partial
@@ -19,20 +19,20 @@ from kitemj.recording.header import header_of
 from kitemj.recording.recorder import Recorder
 from kitemj.recording.replay import replay
 from kitemj.recording.table import ATTITUDE, MOTION, STEERING, Columns, motion_row
-from thesis.ode45 import ATOL, RTOL, solved
+from thesis.ode45 import ATOL, RTOL, solve
 from thesis.programmed_pacer import ProgrammedPacer
 
 MOVES = ((0.5, 1.0), (4.0, -1.0), (9.5, 0.3), (12.0, 0.0))
 """Time [s] and stick from then on."""
 
-REPLAYS = ("mujoco", "lagrange", "newton-euler")
+MODELS = ("mujoco", "lagrange", "newton-euler")
 THESIS_STEP = 0.1
 """s; the longest step of the thesis's way, which does not tell its own."""
 
 TIGHT = 1e-12
 """Relative and absolute tolerance that leave the interpolation as the only error."""
 
-PARTS = 10
+SAMPLES_PER_TICK = 10
 """Of a tick, in which the control is looked at."""
 
 ANGLES = ("phi_rad", "gamma_rad", "eta_rad", "theta_rad")
@@ -41,7 +41,7 @@ POSITION = ("x_E_m", "y_E_m", "z_E_m")
 Array = NDArray[np.float64]
 
 
-class Again(NamedTuple):
+class ReplayedFlight(NamedTuple):
     """The input flown once more: motions `every` so many ticks, by the columns of `MOTION`."""
 
     name: str
@@ -50,7 +50,7 @@ class Again(NamedTuple):
     note: str = ""
 
 
-def recorded(path: Path, seconds: float) -> Recording:
+def record_flight(path: Path, seconds: float) -> Recording:
     """A recording, at `path`, of the thesis kite steered by a programme in real time.
 
     Raises what ended the flight, if anything did.
@@ -71,13 +71,13 @@ def recorded(path: Path, seconds: float) -> Recording:
 
 
 def segments_of(recording: Recording) -> list[Segment]:
-    """What was flown in each tick; the recording must have one leg."""
+    """What was flown in each tick; the recording must have one episode."""
     tick = recording.header.tick
     rows = np.column_stack([recording.columns[name] for name in STEERING])[1:]
     return [Segment(k * tick, Control(*row)) for k, row in enumerate(rows.tolist())]
 
 
-class Interpolated:
+class LinearInterpolation:
     """The thesis's way (MATLAB's interp1): straight lines between saved values, for each signal."""
 
     def __init__(self, segments: list[Segment], tick: float) -> None:
@@ -90,16 +90,16 @@ class Interpolated:
         return Control(*(float(np.interp(t, self._times, signal)) for signal in self._samples.T))
 
 
-def all_again(recording: Recording) -> list[Again]:
+def all_replays(recording: Recording) -> list[ReplayedFlight]:
     """Its input through each model, and through the thesis's solver in three ways."""
     found = []
-    for model in REPLAYS:
-        again = replay(recording, model)
-        note = "the same to the last bit" if again.identical else again.note
-        found.append(Again(f"{model}, exact", 1, again.columns, note))
+    for model in MODELS:
+        replayed = replay(recording, model)
+        note = "the same to the last bit" if replayed.identical else replayed.note
+        found.append(ReplayedFlight(f"{model}, exact", 1, replayed.columns, note))
     tick, segments = recording.header.tick, segments_of(recording)
     exact = [partial(control, segment) for segment in segments]
-    straight = Interpolated(segments, tick)
+    straight = LinearInterpolation(segments, tick)
     every = round(THESIS_STEP / tick)
     parameters, start = recording.parameters, recording.header.states[0]
     for name, steering, n, rtol, atol in (
@@ -107,8 +107,8 @@ def all_again(recording: Recording) -> list[Again]:
         ("ode45 tight, interp1", [straight] * len(segments), 1, TIGHT, TIGHT),
         ("ode45, interp1", [straight] * (len(segments) // every), every, RTOL, ATOL),
     ):
-        motions = solved(parameters, start, steering, n * tick, rtol, atol).motions
-        found.append(Again(name, n, columns_of(motions)))
+        motions = solve(parameters, start, steering, n * tick, rtol, atol).motions
+        found.append(ReplayedFlight(name, n, columns_of(motions)))
     return found
 
 
@@ -118,14 +118,14 @@ def columns_of(motions: list[Motion]) -> Columns:
     return dict(zip(MOTION, rows, strict=True))
 
 
-def apart(recording: Recording, again: Again, names: tuple[str, ...]) -> Array:
+def distances(recording: Recording, replayed: ReplayedFlight, names: tuple[str, ...]) -> Array:
     """Distance of the two in the columns `names`, (rows,)."""
-    rows = slice(None, None, again.every)
-    differences = [again.columns[n] - recording.columns[n][rows] for n in names]
+    rows = slice(None, None, replayed.every)
+    differences = [replayed.columns[n] - recording.columns[n][rows] for n in names]
     return np.asarray(np.sqrt(np.sum(np.square(differences), axis=0)))
 
 
-def deltas(parameters: Parameters, columns: Columns) -> Array:
+def delta_series(parameters: Parameters, columns: Columns) -> Array:
     """δ [rad] by equation (9) of the thesis, from where the kite's attachments are, (rows,)."""
     kite = parameters.kite
     G = np.column_stack([columns[name] for name in POSITION])
@@ -139,9 +139,11 @@ def deltas(parameters: Parameters, columns: Columns) -> Array:
 def interpolation_errors(recording: Recording) -> Mapping[str, Array]:
     """|interp1 - what was flown|, PARTS times a tick, for δ and its derivatives; with `t_s`."""
     tick, segments = recording.header.tick, segments_of(recording)
-    straight = Interpolated(segments, tick)
+    straight = LinearInterpolation(segments, tick)
     places = [
-        (k, (k + (i + 0.5) / PARTS) * tick) for k in range(len(segments)) for i in range(PARTS)
+        (k, (k + (i + 0.5) / SAMPLES_PER_TICK) * tick)
+        for k in range(len(segments))
+        for i in range(SAMPLES_PER_TICK)
     ]
     exact = np.array([control(segments[k], t) for k, t in places])
     lines = np.array([straight(t) for _, t in places])

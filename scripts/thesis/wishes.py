@@ -1,4 +1,4 @@
-"""Section 7: what the thesis wished for, and the limits it names: what is done, what is open."""
+"""Section 7: the wishes and limits that the thesis names: what is done, what is open."""
 
 from pathlib import Path
 from typing import NamedTuple
@@ -12,21 +12,21 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.steering import rest_ell
 from kitemj.pilots.manoeuvres import Eight, Land, Pilot
 from kitemj.tables import Cell, Table
-from thesis.section import Answer, Named, Section
+from thesis.section import Answer, NamedTable, Section
 
 ANSWERS: tuple[Answer, ...] = ()
 """The wishes have no figure."""
 
-EIGHTS = 40.0  # s
-LANDING = 30.0
+EIGHTS_DURATION = 40.0  # s
+LANDING_DURATION = 30.0
 """s; the landing takes less, or is none."""
 
-REELING = 10.0  # s
-REEL = 0.5
+REELING_DURATION = 10.0  # s
+REEL_STICK = 0.5
 """Of the way that ℓ has: the stick that is held."""
 
 
-class Seen(NamedTuple):
+class Outcome(NamedTuple):
     """A live flight: its last moment, its first departure from a limit, how long it took [s]."""
 
     last: TickResult
@@ -45,15 +45,15 @@ class Wish(NamedTuple):
     shown: str = ""
 
 
-class Reel:
+class ReelOut:
     """A stick that asks for more line."""
 
     def command(self, motion: Motion) -> Command:
         """The same at every time."""
-        return Command(ell=REEL)
+        return Command(ell=REEL_STICK)
 
 
-def steered(kite: str, pilot: Pilot, duration: float) -> Seen:
+def fly(kite: str, pilot: Pilot, duration: float) -> Outcome:
     """The set `kite` under `pilot` for `duration` [s], or until it touches the ground."""
     flight = LiveFlight(scenario_of({"set": kite, "duration": duration}, "section 7"))
     result, first = flight.result, None
@@ -62,10 +62,10 @@ def steered(kite: str, pilot: Pilot, duration: float) -> Seen:
         first = first or result.departure
         if result.departure and result.departure.ending is Ending.GROUND:
             break
-    return Seen(result, first, result.motion.t)
+    return Outcome(result, first, result.motion.t)
 
 
-def as_table(aero: LinearAero) -> list[list[list[float]]]:
+def as_coefficient_table(aero: LinearAero) -> list[list[list[float]]]:
     """The linear law as the general table, indexed [coefficient][term][power of α].
 
     The table scales rates by the airspeed, the law by V_ref: they agree where these are the
@@ -102,23 +102,24 @@ def section(scratch: Path) -> Section:
         ANSWERS,
         _THESIS,
         here,
-        tables=[Named("wishes", table)],
+        tables=[NamedTable("wishes", table)],
     )
 
 
 def _of_section_7() -> list[Wish]:
-    reeled, eight = steered("thesis", Reel(), REELING), Eight()
-    flown = steered("sport", eight, EIGHTS)
+    reeled, eight = fly("thesis", ReelOut(), REELING_DURATION), Eight()
+    flown = fly("sport", eight, EIGHTS_DURATION)
     ell = reeled.last.motion.control.ell - ell_at_rest("thesis")
     return [
         Wish(
             "a joystick in place of the knob, for ℓ as well as δ",
             "7",
             "done",
-            "gamepads, keys and mouse move both (kitemj/controls/stick.py, pads.py)",
+            "gamepads, keys and mouse move both (kitemj/controls/stick.py, "
+            "kitemj/controls/pads.py)",
             "",
-            f"set thesis, {REEL:.0%} of the way of ℓ asked for: {ell:+.2f} m after {reeled.t:g} s; "
-            f"{_left(reeled)}",
+            f"set thesis, {REEL_STICK:.0%} of the way of ℓ asked for: {ell:+.2f} m after "
+            f"{reeled.t:g} s; {_departure_text(reeled)}",
         ),
         Wish(
             "a function that looks at the state and flies by itself",
@@ -127,7 +128,7 @@ def _of_section_7() -> list[Wish]:
             "pilots for kites that turn (kitemj/pilots/manoeuvres.py)",
             "pilots for a kite that only drifts, as the thesis's does; paths made for power",
             f"set sport, figures of eight for {flown.t:g} s: {eight.passes} turns back; "
-            f"{_left(flown)}",
+            f"{_departure_text(flown)}",
         ),
         Wish(
             "better aerodynamics",
@@ -156,20 +157,20 @@ def _of_section_7() -> list[Wish]:
 
 
 def _landing() -> Wish:
-    seen = steered("sport", Land(), LANDING)
+    outcome = fly("sport", Land(), LANDING_DURATION)
     return Wish(
         "take-off and landing",
         "2.2, 3",
         "in part",
         "lines go slack and tighten again, the kite meets the ground, a pilot lands it",
         "take-off",
-        f"set sport: {_left(seen)}",
+        f"set sport: {_departure_text(outcome)}",
     )
 
 
-def _left(seen: Seen) -> str:
+def _departure_text(outcome: Outcome) -> str:
     """Which limit was left."""
-    return str(seen.departure) if seen.departure else "no limit of validity was left"
+    return str(outcome.departure) if outcome.departure else "no limit of validity was left"
 
 
 def ell_at_rest(name: str) -> float:
@@ -182,7 +183,7 @@ def table_gap() -> float:
     """How far apart [rad] the thesis kite's equilibria are under both laws, in any angle."""
     aero = parameter_set("thesis").aero
     assert isinstance(aero, LinearAero)
-    table = {"law": "table", "table": as_table(aero)}
+    table = {"law": "table", "table": as_coefficient_table(aero)}
     own, other = (
         scenario_of({"set": "thesis", "duration": 1.0, **more}, "section 7").start.q
         for more in ({}, {"aero": table})

@@ -4,7 +4,13 @@ import numpy as np
 import pygame
 import pytest
 
-from kitemj.cockpit.measuring import NoScreen, PointerScreen, Step, SteppingStick, WatchedProcess
+from kitemj.cockpit.measuring import (
+    NoScreen,
+    PointerScreen,
+    Step,
+    SteppingStick,
+    StickTimingProcess,
+)
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.readings import Readings
 from kitemj.flight.live import TICK, Command, LiveFlight
@@ -57,7 +63,7 @@ def test_only_ticks_that_began_after_the_move_are_counted(monkeypatch):
     monkeypatch.setattr(FlightProcess, "update", lambda self: heard)
     stick = SteppingStick()
     stick.steps.append(Step(polled=1.5, side=1.0))
-    WatchedProcess(Setup(SCENARIO, "mujoco", "lagrange", 0.002), stick).update()
+    StickTimingProcess(Setup(SCENARIO, "mujoco", "lagrange", 0.002), stick).update()
     assert stick.steps[0].ticks == 2
     assert stick.steps[0].flown
 

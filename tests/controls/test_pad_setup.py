@@ -14,7 +14,7 @@ from kitemj.cli import main
 from kitemj.controls import pad_setup
 from kitemj.controls.pad_layout import Layout, PadSource
 from kitemj.controls.pad_setup import HOLD, QUESTIONS, Questions, Reading, moved
-from kitemj.controls.pad_terminal import ask, said
+from kitemj.controls.pad_terminal import ask, state_text
 from kitemj.controls.pads import events
 from kitemj.controls.settings import read_settings, write_layout
 from kitemj.controls.stick import PersonStick
@@ -329,7 +329,7 @@ def test_what_a_pad_says_now(bench):
     pad.button(6, True)
     pad.hat(0, 1, -1)
     pygame.event.pump()
-    text = said(joystick, EXPECTED)
+    text = state_text(joystick, EXPECTED)
     assert "2: -1.00  3: -0.50" in text
     assert "buttons  6" in text
     assert "0: +1 -1" in text

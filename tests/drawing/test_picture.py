@@ -137,7 +137,7 @@ def test_the_kite_left_of_the_pilot_is_left_in_the_pilots_view(picture: Picture)
     assert kite[1] < pilot[1]
 
 
-def test_the_ghost_is_seen_only_where_it_differs(picture: Picture) -> None:
+def test_the_reference_is_seen_only_where_it_differs(picture: Picture) -> None:
     motion = motion_at(LAKSA, EQUILIBRIUM)
     alone = picture.paint(motion, None, QUIET)
     assert np.array_equal(alone, picture.paint(motion, motion, QUIET))

@@ -98,11 +98,11 @@ def test_the_free_body_keeps_its_length_of_line():
 
 
 ONE_FLIGHT = 1e-10
-"""m; LagrangeKite flies its trajectories with scipy's integrator, its surveys with ours."""
+"""m; LagrangeKite flies its trajectories with scipy's integrator, its batches with ours."""
 
 
 @pytest.mark.parametrize("kind", [MujocoKite, LagrangeKite, NewtonEulerKite])
-def test_a_survey_says_what_the_motions_say(kind):
+def test_a_batch_says_what_the_motions_say(kind):
     times = np.linspace(0.0, 2.0, 21)
     kite = kind(LAKSA, 0.01)
     kite.start(aloft(LAKSA), LAKSA_STEERING)
@@ -121,7 +121,7 @@ def kite_tolerance(kind):
     return {LagrangeKite: lagrange_kite.TOLERANCE}.get(kind, newton_euler_kite.TOLERANCE)
 
 
-def test_a_survey_ends_where_the_kite_is_too_low():
+def test_a_batch_ends_where_the_kite_is_too_low():
     kite = LagrangeKite(LAKSA)
     kite.start(aloft(LAKSA, phi=0.3), LAKSA_STEERING)
     times = np.linspace(0.0, 5.0, 51)

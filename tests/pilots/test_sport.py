@@ -41,7 +41,7 @@ class Table:
 STILL = Table((0.0, 0.0))
 
 
-class Flown:
+class PilotedFlight:
     """All motions of a live flight, the departures, and the largest gap to the reference."""
 
     def __init__(self, pilot: Pilot, wind: float, duration: float) -> None:
@@ -117,7 +117,7 @@ def test_comes_back_to_the_top_by_itself(aside):
 
 @pytest.mark.parametrize("wind", WINDS)
 def test_a_stick_that_does_nothing_stays_aloft_even_after_a_knock(wind):
-    flight = Flown(Table((0.0, 0.0), (1.0, 0.2), (1.3, 0.0)), wind, 60.0)
+    flight = PilotedFlight(Table((0.0, 0.0), (1.0, 0.2), (1.3, 0.0)), wind, 60.0)
     flight.holds()
     azimuths = [degrees(seen.azimuth) for seen in flight.sights]
     assert max(map(abs, azimuths)) > 1.0, "a knock that is felt: 6°, 17°, 26°"
@@ -128,7 +128,7 @@ def test_a_stick_that_does_nothing_stays_aloft_even_after_a_knock(wind):
 @pytest.mark.parametrize("wind", WINDS)
 @pytest.mark.parametrize("side", [1.0, -1.0], ids=["right", "left"])
 def test_turns_to_the_hand_that_pulls(wind, side):
-    flight = Flown(Table((0.0, side)), wind, 2.0)  # s; later the loop leads back
+    flight = PilotedFlight(Table((0.0, side)), wind, 2.0)  # s; later the loop leads back
     flight.holds()
     azimuths = [side * degrees(seen.azimuth) for seen in flight.sights]
     assert min(azimuths) > -2.0, "never to speak of to the other side: -1.6 in the weakest wind"
@@ -141,7 +141,7 @@ def test_turns_to_the_hand_that_pulls(wind, side):
 @pytest.mark.parametrize("wind", WINDS)
 @pytest.mark.parametrize("side", [1.0, -1.0], ids=["right", "left"])
 def test_loops_once_and_climbs_back_with_one_twist(wind, side):
-    flight = Flown(Loop(side), wind, 14.0)
+    flight = PilotedFlight(Loop(side), wind, 14.0)
     flight.holds()
     assert flight.twist[-1] == pytest.approx(side, abs=0.05)
     assert abs(degrees(flight.sights[-1].azimuth)) < 5.0
@@ -151,7 +151,7 @@ def test_loops_once_and_climbs_back_with_one_twist(wind, side):
 
 @pytest.mark.parametrize("wind", WINDS)
 def test_full_stick_turns_in_3_to_8_m_and_loops_in_2_to_5_s(wind):
-    flight = Flown(Table((0.0, 1.0)), wind, 4.5)
+    flight = PilotedFlight(Table((0.0, 1.0)), wind, 4.5)
     flight.holds()
     turns, t = np.array(flight.twist), np.array([motion.t for motion in flight.motions])
     quarter, full = (float(np.interp(part, turns, t)) for part in (0.25, 1.25))
@@ -164,7 +164,7 @@ def test_full_stick_turns_in_3_to_8_m_and_loops_in_2_to_5_s(wind):
 @pytest.mark.parametrize("wind", WINDS)
 def test_figures_of_eight_leave_the_lines_untwisted(wind):
     pilot = Eight()
-    flight = Flown(pilot, wind, 20.0)
+    flight = PilotedFlight(pilot, wind, 20.0)
     flight.holds()
     assert pilot.passes >= 6
     assert max(map(abs, flight.twist)) < 0.6
@@ -176,7 +176,7 @@ def test_figures_of_eight_leave_the_lines_untwisted(wind):
 @pytest.mark.parametrize("wind", WINDS)
 @pytest.mark.parametrize("side", [1.0, -1.0], ids=["right", "left"])
 def test_lands_softly_at_the_edge_of_the_window(wind, side):
-    flight = Flown(Land(side), wind, 20.0)
+    flight = PilotedFlight(Land(side), wind, 20.0)
     flight.holds()
     assert flight.landed
     assert side * degrees(flight.sights[-1].azimuth) > 60.0
@@ -185,18 +185,18 @@ def test_lands_softly_at_the_edge_of_the_window(wind, side):
 
 @pytest.mark.parametrize("wind", WINDS)
 def test_a_pilot_holds_the_top(wind):
-    flight = Flown(Hold(), wind, 10.0)
+    flight = PilotedFlight(Hold(), wind, 10.0)
     flight.holds()
     assert min(degrees(seen.elevation) for seen in flight.sights) > 60.0
     assert max(abs(degrees(seen.azimuth)) for seen in flight.sights) < 5.0
 
 
 def test_the_sight_is_what_the_pilot_sees():
-    kite = Flown(STILL, 6.5, 0.1).motions[0]
+    kite = PilotedFlight(STILL, 6.5, 0.1).motions[0]
     assert sight(kite).azimuth == pytest.approx(0.0, abs=1e-12)
     assert sight(kite).heading == pytest.approx(0.0, abs=1e-12)
     assert sight(kite).elevation == pytest.approx(radians(70.7), abs=radians(0.1))
-    right = Flown(Table((0.0, 1.0)), 6.5, 1.3).motions[-1]
+    right = PilotedFlight(Table((0.0, 1.0)), 6.5, 1.3).motions[-1]
     assert right.body.p_G_E.y < 0, "m: right of the pilot is -y_E"
     assert sight(right).azimuth > 0
     assert sight(right).heading > radians(30.0)

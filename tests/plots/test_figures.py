@@ -1,4 +1,4 @@
-"""What is drawn is what was flown: numbers read back from the figures; units, lettering, lines."""
+"""What is drawn is what was flown: numbers read back from the figures; units, text, lines."""
 
 import re
 from math import sin
@@ -130,7 +130,7 @@ def test_window_draws_the_bearings(flight):
 
 
 @pytest.mark.parametrize("name", DRAWN)
-def test_units_and_lettering(name, flight):
+def test_units_and_text(name, flight):
     figure = DRAWN[name](flight)
     figure.draw_without_rendering()
     for ax in figure.axes:

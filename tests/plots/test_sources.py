@@ -55,17 +55,17 @@ def test_a_recording_and_its_table_are_the_same_flight(recording, tmp_path):
 
 
 def test_the_longest_flight_unless_one_is_asked_for(tmp_path):
-    path = recorded(tmp_path / "legs.arrows", 10, episodes=2)
+    path = recorded(tmp_path / "two.arrows", 10, episodes=2)
     flight, notes = read_flight(path)
     assert len(flight.t) == 11
-    assert notes == ["legs.arrows holds 2 flights; drawn is the longest, --leg 1"]
+    assert notes == ["two.arrows holds 2 flights; drawn is the longest, --leg 1"]
     assert read_flight(path, episode=2).flight.name.endswith("flight 2 of 2")
-    table = tmp_path / "legs.csv"
+    table = tmp_path / "two.csv"
     write_table(table, read_recording(path))
     second = read_flight(table, episode=2).flight
     assert np.array_equal(second.columns["leg"], np.full(11, 1))
     for file in (path, table):
-        with pytest.raises(InputError, match=r"--leg must be 1 to 2 for legs\..*, got 3"):
+        with pytest.raises(InputError, match=r"--leg must be 1 to 2 for two\..*, got 3"):
             read_flight(file, episode=3)
 
 

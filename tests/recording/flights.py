@@ -46,7 +46,7 @@ def restless(seed, ell=0.1, hold=70):
 
 
 def recorded(path, ticks, flight=None, stick=None, episodes=1):
-    """A recording of `legs` flights of `ticks` each, not in real time; returns its path."""
+    """A recording of `episodes` flights of `ticks` each, not in real time; returns its path."""
     flight, stick = flight or live_flight(), stick or restless(4)
     recorder = recorder_of(flight, path)
     for _ in range(episodes):

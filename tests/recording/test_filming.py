@@ -210,7 +210,7 @@ def test_no_display_is_said(file, monkeypatch, capsys):
     assert "kitemj film" in capsys.readouterr().out
 
 
-def test_the_ghost_of_another_model_is_there_until_a_line_is_slack(file):
+def test_the_reference_of_another_model_is_there_until_a_line_is_slack(file):
     recording = read_recording(file)
     again = replay(recording, "lagrange")
     source = RecordingSource(recording, again)

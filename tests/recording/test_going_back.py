@@ -35,7 +35,7 @@ def flown(path, doings, tables=SPORT):
 
 
 def episodes_of(recording):
-    """(leg, parent, first tick, last tick) of each leg."""
+    """(number, parent, first tick, last tick) of each episode."""
     episode, parent, tick = (recording.columns[name].tolist() for name in ("leg", "parent", "tick"))
     ends = [(each.start, each.stop - 1) for each in recording.episodes]
     return [(episode[first], parent[first], tick[first], tick[last]) for first, last in ends]

@@ -1,4 +1,4 @@
-"""Flights by the thousand, in small: none lost, none twice, the same on any crew."""
+"""Flights by the thousand, in small: none lost, none twice, the same on any executor."""
 
 import errno
 import json
@@ -14,7 +14,7 @@ from kitemj.errors import InputError
 from kitemj.flight.compare import compare
 from kitemj.flight.scenario import scenario_of
 from kitemj.flight.simulate import simulate
-from kitemj.studies import executors as crews
+from kitemj.studies import executors
 from kitemj.studies.executors import dask_executor, local_executor
 from kitemj.studies.flights import fly, fly_all
 from kitemj.studies.journal import Journal
@@ -40,7 +40,7 @@ SMALL_COST = 0.2
 """s; makes batches of two flights."""
 
 
-class HereCrew:
+class HereExecutor:
     """Flies at once, in this process; dies of the flights it is told to."""
 
     workers, name, deaths = 1, "here", (BrokenExecutor,)
@@ -82,7 +82,7 @@ def plain(tmp_path_factory):
     """The study flown with nothing in the way."""
     folder = tmp_path_factory.mktemp("plain")
     (folder / "study.toml").write_text(STUDY)
-    return flown(read_study(folder / "study.toml"), folder / "a.parquet", HereCrew())
+    return flown(read_study(folder / "study.toml"), folder / "a.parquet", HereExecutor())
 
 
 def test_a_row_says_what_simulate_and_compare_say(study, plain):
@@ -149,7 +149,7 @@ def test_an_interrupted_study_goes_on_where_it_was(study, plain, tmp_path, after
         if done >= after:
             raise KeyboardInterrupt
 
-    first, second = HereCrew(), HereCrew()
+    first, second = HereExecutor(), HereExecutor()
     with pytest.raises(KeyboardInterrupt):
         flown(study, tmp_path / "b.parquet", first, interrupt)
     assert not (tmp_path / "b.parquet").exists()
@@ -160,17 +160,17 @@ def test_an_interrupted_study_goes_on_where_it_was(study, plain, tmp_path, after
 def test_a_line_cut_short_is_flown_again(study, plain, tmp_path):
     table = tmp_path / "b.parquet"
     with Journal(table, study) as journal:
-        sweep(journal, HereCrew(), SMALL_COST)
+        sweep(journal, HereExecutor(), SMALL_COST)
     lines = journal.path.read_bytes().splitlines(keepends=True)
     journal.path.write_bytes(b"".join(lines[:10]) + lines[10][:25])
     kept = [json.loads(line)["flight"] for line in lines[1:10]]
-    executor = HereCrew()
+    executor = HereExecutor()
     assert flown(study, table, executor) == plain
     assert sorted(kept + executor.flown) == list(range(FLIGHTS))
 
 
 def test_a_flight_that_ends_its_process_is_found_and_named(study, plain, tmp_path):
-    executor = HereCrew(deadly=[7])
+    executor = HereExecutor(deadly=[7])
     rows = flown(study, tmp_path / "b.parquet", executor)
     assert rows[7]["ending"] == "failed"
     assert "died" in rows[7]["reason"]
@@ -179,7 +179,7 @@ def test_a_flight_that_ends_its_process_is_found_and_named(study, plain, tmp_pat
 
 
 def test_workers_that_cannot_work_end_the_study_with_a_sentence(study, tmp_path):
-    class Useless(HereCrew):
+    class Useless(HereExecutor):
         def submit(self, base, flights):
             future = Future()
             future.set_exception(ModuleNotFoundError("No module named 'kitemj'"))
@@ -269,7 +269,7 @@ def test_bad_studies_are_a_sentence_each(tmp_path, capsys, old, new, says):
 
 def test_a_scheduler_that_does_not_answer_is_a_sentence(tmp_path, monkeypatch, capsys):
     pytest.importorskip("distributed")
-    monkeypatch.setattr(crews, "PATIENCE", 1)
+    monkeypatch.setattr(executors, "PATIENCE", 1)
     assert swept(tmp_path, SHORT, "--scheduler", "tcp://127.0.0.1:9") == 2
     assert "no Dask scheduler answers at tcp://127.0.0.1:9" in capsys.readouterr().err
 

@@ -3,14 +3,14 @@
 import numpy as np
 import pygame
 import pytest
-from thesis import display
-from thesis.answers import not_shown
-from thesis.display import CAPTIONS, SIZE, section
-from thesis.section import Verdict
 
 from kitemj.controls.actions import VIEWS
 from kitemj.drawing.picture import Picture
 from kitemj.errors import NoGraphics
+from thesis import display
+from thesis.answers import dangling
+from thesis.display import CAPTIONS, SIZE, section
+from thesis.section import Verdict
 
 SHORT = 0.3
 
@@ -23,7 +23,7 @@ def test_every_view_is_painted_and_no_two_are_the_same(tmp_path, monkeypatch):
     monkeypatch.setattr(display, "SECONDS", SHORT)
     found = section(tmp_path)
     assert found.answers == display.ANSWERS
-    assert not not_shown(found)
+    assert not dangling(found)
     assert [d.name for d in found.drawings] == [f"display_{n}" for n in ("cockpit", *VIEWS)]
     frames = [pygame.image.load(d.figure) for d in found.drawings]
     pixels = [pygame.surfarray.array3d(frame) for frame in frames]
@@ -44,7 +44,7 @@ def test_without_opengl_a_sentence_stands_in_place_of_frames(tmp_path, monkeypat
     monkeypatch.setattr(display, "Picture", none)
     found = section(tmp_path)
     assert not found.drawings
-    assert not not_shown(found)
+    assert not dangling(found)
     assert "install what is missing" in found.here[0]
     assert [a.item for a in found.answers] == [a.item for a in display.ANSWERS]
     assert {a.verdict for a in found.answers} == {Verdict.NOT_APPLICABLE}

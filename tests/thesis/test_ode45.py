@@ -4,11 +4,11 @@ from functools import partial
 
 import numpy as np
 import pytest
-from thesis.ode45 import solved
 
 from kitemj.dynamics.formulation import make_model
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.steering import Control, Segment, control, rest_ell
+from thesis.ode45 import solve
 
 SCENARIO = scenario_of({"set": "thesis", "duration": 1.0}, "test")
 ELL = rest_ell(SCENARIO.parameters.lines.length, SCENARIO.parameters.kite.y_A)
@@ -31,7 +31,7 @@ def pulled(ddot):
 
 def test_it_flies_as_the_lagrangian_model_does():
     segments = pulled(0.05)
-    found = solved(
+    found = solve(
         SCENARIO.parameters, SCENARIO.start, [partial(control, s) for s in segments], TICK
     )
     kite = make_model("lagrange", SCENARIO.parameters)
@@ -46,7 +46,7 @@ def test_it_flies_as_the_lagrangian_model_does():
 
 
 def test_a_kite_at_rest_costs_one_step_a_tick():
-    found = solved(SCENARIO.parameters, SCENARIO.start, [lambda t: STILL] * TICKS, TICK)
+    found = solve(SCENARIO.parameters, SCENARIO.start, [lambda t: STILL] * TICKS, TICK)
     assert found.evaluations == 7 * TICKS  # one to begin with, six for a step
     assert found.rejected == 0
     assert found.smallest == TICK
@@ -58,7 +58,7 @@ def test_a_jump_of_delta_makes_it_reject_steps_and_no_pulse_is_passed_over():
     held[50] = STILL._replace(delta=jump, delta_dot=jump / TICK, delta_ddot=jump / TICK**2)
     held[51] = STILL._replace(delta=jump, delta_ddot=-jump / TICK**2)
     held[52:] = [STILL._replace(delta=jump)] * (TICKS - 52)
-    found = solved(SCENARIO.parameters, SCENARIO.start, [lambda t, c=c: c for c in held], TICK)
+    found = solve(SCENARIO.parameters, SCENARIO.start, [lambda t, c=c: c for c in held], TICK)
     assert found.rejected > 0
     assert found.smallest < TICK / 10
     before, after = (max(map(abs, m.tensions)) for m in (found.motions[50], found.motions[51]))

@@ -4,10 +4,10 @@ from math import degrees
 
 import numpy as np
 import pytest
-from thesis import equilibrium, frames_placed, misprints, parameters, post_processing
 
 from kitemj.physics.frames import R_1E
 from tests.support import LAKSA
+from thesis import coordinate_frames_geometry, equilibrium, misprints, parameters, post_processing
 
 ROUNDING = 1e-12
 """Of numbers of size 1: some thousand times what a double rounds by."""
@@ -66,9 +66,9 @@ def test_every_misprint_is_one():
 
 
 def test_frames_are_where_their_definitions_say():
-    found = frames_placed.placed()
+    found = coordinate_frames_geometry.frame_geometry()
     points, axes = found.points, found.axes
-    kite, q = LAKSA.kite, frames_placed.Q
+    kite, q = LAKSA.kite, coordinate_frames_geometry.Q
     to_G = axes["B"] @ (points["G"] - points["O_2"])
     assert to_G == pytest.approx([-kite.x_A, 0.0, -kite.z_A], abs=ROUNDING)
     across = points["A₊"] - points["A₋"]
@@ -76,7 +76,9 @@ def test_frames_are_where_their_definitions_say():
     assert points["A₊"] @ axes["1"][0] == pytest.approx(0.0, abs=ROUNDING)  # π holds both lines
     assert points["A₋"] @ axes["1"][0] == pytest.approx(0.0, abs=ROUNDING)
     median = -points["O_2"] / np.linalg.norm(points["O_2"])
-    assert np.arccos(median @ axes["2"][2]) == pytest.approx(frames_placed.DELTA, abs=1e-9)
+    assert np.arccos(median @ axes["2"][2]) == pytest.approx(
+        coordinate_frames_geometry.DELTA, abs=1e-9
+    )
     assert axes["1"] == pytest.approx(np.array(R_1E(q.phi, q.gamma)), abs=ROUNDING)
 
 
@@ -90,7 +92,7 @@ def test_the_scalar_equation_has_the_paper_s_root():
 
 def test_models_stand_where_the_equation_says():
     """To 1e-9°: rounding in the engine's accelerations is some 1e-12 of g."""
-    rows = equilibrium.standing_table().rows
+    rows = equilibrium.equilibrium_table().rows
     assert len(rows) == 16
     for row in rows:
         of_equation = next(r for r in rows if r[:2] == row[:2])
@@ -99,7 +101,7 @@ def test_models_stand_where_the_equation_says():
 
 
 def test_forces_and_moments_of_an_instant_add_up():
-    table, (force, moment) = post_processing.instant_table()
+    table, (force, moment) = post_processing.post_processing_table()
     assert force < 1e-10  # N; of forces of some 100 N
     assert moment < 1e-10  # N m
     assert {row[0] for row in table.rows} == {12, 13, 14}

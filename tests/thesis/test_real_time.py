@@ -6,16 +6,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from thesis import real_time, real_time_flights
-from thesis.answers import not_shown
-from thesis.observed_flight import Painted, Watched
-from thesis.real_time import ANSWERS, section
-from thesis.real_time_flights import CASES, Case, Run, flown
-from thesis.section import Verdict
 
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
 from kitemj.realtime.worker import TickNews
+from thesis import real_time, real_time_flights
+from thesis.answers import dangling
+from thesis.observed_flight import FrameTime, ObservedFlight
+from thesis.real_time import ANSWERS, section
+from thesis.real_time_flights import CASES, Case, Run, measure
+from thesis.section import Verdict
 
 SHORT = 0.2  # s
 STILL = Case("display", "no picture")
@@ -42,21 +42,21 @@ def test_real_time_is_kept_or_not():
 
 def test_what_was_watched_is_what_is_told(monkeypatch):
     ticks = [TickNews(0.0, 0.0, None, None, late, None, None, "", 0.0) for late in (0.001, 0.02)]
-    frames = [Painted(0.1, 0.03)]
+    frames = [FrameTime(0.1, 0.03)]
     asked = {}
 
-    def watch(physics, count, opened=None, interval=None, hand=None):
-        asked.update(count=count, opened=opened, interval=interval)
-        return Watched(ticks, frames, 0.25)
+    def observe(physics, count, open_picture=None, interval=None, mover=None):
+        asked.update(count=count, open_picture=open_picture, interval=interval)
+        return ObservedFlight(ticks, frames, 0.25)
 
-    monkeypatch.setattr(real_time_flights, "watch", watch)
+    monkeypatch.setattr(real_time_flights, "observe", observe)
     case = Case("display", "a picture every 2 s", 2.0)
-    run = flown(case, SHORT, None, lambda: None)
+    run = measure(case, SHORT, None, lambda: None)
     assert (asked["count"], asked["interval"]) == (round(SHORT / TICK), 2.0)
     assert run.late.tolist() == [0.001, 0.02]
     assert (run.frames, run.lost, run.moves) == (frames, 0.25, 0)
-    flown(case, SHORT, None, None)
-    assert asked["opened"] is None
+    measure(case, SHORT, None, None)
+    assert asked["open_picture"] is None
 
 
 def test_the_file_of_the_cold_start_loads_nothing_that_paints():
@@ -93,7 +93,7 @@ def test_the_section_says_what_was_measured(tmp_path, monkeypatch):
         pytest.skip(str(reason))
     found = section(tmp_path)
     assert found.answers == ANSWERS
-    assert not not_shown(found)
+    assert not dangling(found)
     assert not found.tables  # all of it is timed
     runs = found.timed[0].table.records()
     assert [row["flight"] for row in runs] == [case.name for case in real_time_flights.CASES]
@@ -112,7 +112,7 @@ def test_without_opengl_the_stick_is_still_measured(tmp_path, monkeypatch):
     few(monkeypatch)
     monkeypatch.setattr(real_time, "_renderer", none)
     found = section(tmp_path)
-    assert not not_shown(found)
+    assert not dangling(found)
     assert "install what is missing" in found.here[0]
     flights = [row["flight"] for row in found.timed[0].table.records()]
     assert flights == ["no picture", "stick moved every 0.1 s"]

@@ -1,19 +1,28 @@
 """The report as a file and as a promise: nothing missing, the same each time, nothing lost."""
 
+import ast
 import re
+import sys
+import tomllib
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from thesis import answers, equilibrium, parameters, report
-from thesis.section import Answer, Drawing, Named, Section, Verdict
-from thesis.wording import heading, shown, typeset
 
+import thesis
 from kitemj.cli import main
+from kitemj.commands import thesis as thesis_command
 from kitemj.errors import InputError
 from kitemj.tables import Table
+from thesis import answers, equilibrium, parameters, report
+from thesis.section import Answer, Drawing, NamedTable, Section, Verdict
+from thesis.typesetting import typeset, typeset_cell, typeset_heading
 
 ROOT = Path(__file__).parents[2]
+THESIS = ROOT / "scripts" / "thesis"
+FILE = re.compile(r"(?<![\w/.])[\w/]+\.(?:py|toml|xml|md)\b").findall
+OWN = {file.name for file in THESIS.glob("*.toml")}
+"""Opened by the code, not told to the reader."""
 CHEAP = (parameters, equilibrium)
 ITEMS = [f"Figure {i}" for i in range(1, 56)] + [f"Table {i}" for i in range(1, 15)]
 
@@ -22,17 +31,17 @@ def quiet(name, done):
     """Tells nobody."""
 
 
-def write(folder, writers=CHEAP, overwrite=False):
-    return report.write_report(folder, overwrite, writers, quiet)
+def write(folder, modules=CHEAP, overwrite=False):
+    return report.write_report(folder, overwrite, modules, quiet)
 
 
-def writer(name="one", tables=("numbers",), given=(), fault=None):
+def module(name="one", tables=("numbers",), given=(), fault=None):
     """A section of a table or two, or one that fails."""
 
     def section(scratch):
         if fault:
             raise fault
-        named = [Named(each, Table(each, ("t_s",), [(1.0,), (2.5,)])) for each in tables]
+        named = [NamedTable(each, Table(each, ("t_s",), [(1.0,), (2.5,)])) for each in tables]
         return Section(name, given, ["said"], ["found & <seen>"], tables=named)
 
     return SimpleNamespace(__name__=f"x.{name}", ANSWERS=given, section=section)
@@ -47,38 +56,48 @@ def made(tmp_path_factory):
 
 def test_every_item_of_the_thesis_is_answered_once():
     assert list(answers.captions()) == ITEMS
-    given = [answer for each in report.WRITERS for answer in each.ANSWERS]
-    assert answers.faults(given) == []
+    given = [answer for each in report.SECTIONS for answer in each.ANSWERS]
+    assert answers.mistakes(given) == []
 
 
 def test_what_is_wrong_with_a_list_is_told():
-    given = [answer for each in report.WRITERS for answer in each.ANSWERS]
+    given = [answer for each in report.SECTIONS for answer in each.ANSWERS]
     one = given[0]
-    assert answers.faults(given[1:]) == [f"{one.item} is not answered"]
-    assert answers.faults([*given, one]) == [f"{one.item} is answered 2 times"]
+    assert answers.mistakes(given[1:]) == [f"{one.item} is not answered"]
+    assert answers.mistakes([*given, one]) == [f"{one.item} is answered 2 times"]
     odd = Answer("Figure 56", Verdict.NOT_APPLICABLE, "there is none")
-    assert answers.faults([*given, odd]) == ["the thesis has no Figure 56"]
-    hidden = one._replace(shown="")
-    assert answers.faults([hidden, *given[1:]]) == [
+    assert answers.mistakes([*given, odd]) == ["the thesis has no Figure 56"]
+    hidden = one._replace(shown_by="")
+    assert answers.mistakes([hidden, *given[1:]]) == [
         f"{one.item} is {one.verdict.value} and nothing is shown"
     ]
-    mute = one._replace(verdict=Verdict.DIFFERS, because="")
-    assert answers.faults([mute, *given[1:]]) == [f"{one.item} is differs and no reason is given"]
+    mute = one._replace(verdict=Verdict.DIFFERS, reason="")
+    assert answers.mistakes([mute, *given[1:]]) == [f"{one.item} is differs and no reason is given"]
 
 
 def test_an_answer_points_to_what_its_section_shows():
     for each in CHEAP:
-        assert answers.not_shown(each.section(Path())) == []
-    lost = Section("one", [Answer("Figure 1", Verdict.REPRODUCED, shown="none")], [], [])
-    assert len(answers.not_shown(lost)) == 1
+        assert answers.dangling(each.section(Path())) == []
+    lost = Section("one", [Answer("Figure 1", Verdict.REPRODUCED, shown_by="none")], [], [])
+    assert len(answers.dangling(lost)) == 1
 
 
-def test_files_that_the_list_names_are_there():
-    given = [*answers.background(), *(a for each in report.WRITERS for a in each.ANSWERS)]
-    named = {name for a in given for name in re.findall(r"kitemj/[\w/]+\.\w+", a.because)}
-    assert len(named) >= 8
-    for name in named:
-        assert (ROOT / name).is_file(), name
+def texts(file):
+    """Every string of a file of the report."""
+    if file.suffix == ".toml":
+        return list(tomllib.loads(file.read_text())["background"].values())
+    tree = ast.parse(file.read_text())
+    found = [node for node in ast.walk(tree) if isinstance(node, ast.Constant)]
+    return [node.value for node in found if isinstance(node.value, str)]
+
+
+def test_files_that_the_report_names_are_there():
+    """A path begins at the top of the repository; `name.py` alone would lead nobody anywhere."""
+    files = [THESIS / "items.toml", *THESIS.glob("*.py")]
+    named = {(name, file.name) for file in files for text in texts(file) for name in FILE(text)}
+    assert len({name for name, _ in named if "/" in name}) >= 15
+    for name, file in named:
+        assert name in OWN or (ROOT / name).is_file(), f"{file} names {name}"
 
 
 def test_the_page_names_every_section_and_links_to_files_that_are_there(made):
@@ -124,12 +143,12 @@ def test_a_frame_of_the_cockpit_is_copied(tmp_path):
 
 
 def test_what_people_write_is_escaped(tmp_path):
-    write(tmp_path / "report", [writer()])
+    write(tmp_path / "report", [module()])
     assert "found &amp; &lt;seen&gt;" in (tmp_path / "report" / "index.html").read_text()
 
 
 def test_a_folder_with_content_is_left_alone_until_asked(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(report, "WRITERS", (writer(),))
+    monkeypatch.setattr(report, "SECTIONS", (module(),))
     folder = tmp_path / "report"
     folder.mkdir()
     words = ["thesis", "--output", str(folder)]
@@ -151,16 +170,16 @@ def test_a_folder_with_content_is_left_alone_until_asked(tmp_path, capsys, monke
 @pytest.mark.parametrize("fault", [RuntimeError("no"), InputError("no"), KeyboardInterrupt()])
 def test_a_section_that_fails_leaves_nothing(tmp_path, fault):
     with pytest.raises(type(fault)):
-        write(tmp_path / "report", [writer(), writer("two", fault=fault)])
+        write(tmp_path / "report", [module(), module("two", fault=fault)])
     assert list(tmp_path.iterdir()) == []
 
 
 def test_mistakes_of_sections_are_found_before_anything_is_written(tmp_path):
     with pytest.raises(ValueError, match="two tables are called numbers"):
-        write(tmp_path / "report", [writer(), writer("two")])
-    lost = (Answer("Figure 12", Verdict.REPRODUCED, shown="none"),)
+        write(tmp_path / "report", [module(), module("two")])
+    lost = (Answer("Figure 12", Verdict.REPRODUCED, shown_by="none"),)
     with pytest.raises(ValueError, match="there is no drawing or table none"):
-        write(tmp_path / "report", [writer(given=lost)])
+        write(tmp_path / "report", [module(given=lost)])
     assert list(tmp_path.iterdir()) == []
 
 
@@ -176,6 +195,26 @@ def test_bad_names_are_a_sentence_and_status_2(name, tmp_path, capsys):
     assert [file.name for file in tmp_path.iterdir()] == ["file"]
 
 
+def test_an_installation_without_the_repository_says_where_the_report_is(
+    tmp_path, capsys, monkeypatch
+):
+    monkeypatch.setattr(thesis_command, "SCRIPTS", tmp_path)
+    assert main(["thesis", "--output", str(tmp_path / "report")]) == 2
+    assert "made in the repository" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_package_that_is_not_installed_is_named(tmp_path, capsys, monkeypatch):
+    monkeypatch.delitem(sys.modules, "thesis.report")
+    monkeypatch.delattr(thesis, "report")
+    monkeypatch.setitem(sys.modules, "jinja2", None)
+    assert main(["thesis", "--output", str(tmp_path / "report")]) == 2
+    said = capsys.readouterr().err
+    assert "pip install jinja2" in said
+    assert said.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
 @pytest.mark.parametrize(
     ("cell", "text"),
     [
@@ -187,14 +226,14 @@ def test_bad_names_are_a_sentence_and_status_2(name, tmp_path, capsys):
     ],
 )
 def test_numbers_are_written_for_people(cell, text):
-    assert shown(cell) == text
+    assert typeset_cell(cell) == text
 
 
 def test_units_of_columns_are_written_for_people():
-    assert heading("beta_max_deg") == "β max [°]"
-    assert heading("C_lβ") == "C<sub>lβ</sub>"
-    assert heading("growth_per_s") == "growth [1/s]"
-    assert heading("within_limits") == "within limits"
+    assert typeset_heading("beta_max_deg") == "β max [°]"
+    assert typeset_heading("C_lβ") == "C<sub>lβ</sub>"
+    assert typeset_heading("growth_per_s") == "growth [1/s]"
+    assert typeset_heading("within_limits") == "within limits"
 
 
 @pytest.mark.parametrize(

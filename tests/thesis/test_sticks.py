@@ -3,13 +3,13 @@
 from itertools import pairwise
 
 import pytest
-from thesis import sticks, sticks_flights
-from thesis.answers import not_shown
-from thesis.sticks import section
-from thesis.sticks_flights import DURATION, MOVES, SIGNALS, raw, smooth, stick
 
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw
+from thesis import sticks, sticks_flights
+from thesis.answers import dangling
+from thesis.sticks import section
+from thesis.sticks_flights import DURATION, MOVES, SIGNALS, raw_signals, shaped_signals, stick_at
 
 THESIS = parameter_set("thesis")
 LIMITS = THESIS.stick
@@ -21,7 +21,7 @@ ROUNDING = 1e-9
 
 @pytest.mark.parametrize("tick", TICKS)
 def test_a_jump_of_delta_becomes_steeper_with_a_shorter_tick(tick):
-    found = raw(LIMITS, ELL, StickLaw.ANGLE, tick)
+    found = raw_signals(LIMITS, ELL, StickLaw.ANGLE, tick)
     jump = 2 * LIMITS.delta  # from one side to the other, at once
     assert found.peak("delta_dot") == pytest.approx(jump / tick)
     assert found.peak("delta_ddot") == pytest.approx(jump / tick**2)
@@ -29,31 +29,33 @@ def test_a_jump_of_delta_becomes_steeper_with_a_shorter_tick(tick):
 
 @pytest.mark.parametrize("tick", TICKS)
 def test_a_jump_of_the_rate_becomes_steeper_with_a_shorter_tick(tick):
-    found = raw(LIMITS, ELL, StickLaw.RATE, tick)
+    found = raw_signals(LIMITS, ELL, StickLaw.RATE, tick)
     assert found.peak("delta_ddot") == pytest.approx(LIMITS.delta_dot / tick)
     assert found.peak("delta_dot") == LIMITS.delta_dot
 
 
 @pytest.mark.parametrize("law", [StickLaw.RATE, StickLaw.ACCELERATION])
 def test_delta_raw_is_the_sum_of_its_rate_and_ends_at_its_limit(law):
-    controls = raw(LIMITS, ELL, law, 0.01).controls
+    controls = raw_signals(LIMITS, ELL, law, 0.01).controls
     for before, after in pairwise(controls):
         whole = before.delta + 0.01 * before.delta_dot
         assert after.delta == max(-LIMITS.delta, min(LIMITS.delta, whole))
-    ends = [c for c in controls if c.delta == LIMITS.delta and stick(0.01 * controls.index(c)) > 0]
+    ends = [
+        c for c in controls if c.delta == LIMITS.delta and stick_at(0.01 * controls.index(c)) > 0
+    ]
     assert len(ends) > 1
     assert all(c.delta_dot == 0.0 for c in ends)
 
 
 def test_nothing_limits_the_rate_of_a_raw_acceleration():
-    found = raw(LIMITS, ELL, StickLaw.ACCELERATION, 0.01)
+    found = raw_signals(LIMITS, ELL, StickLaw.ACCELERATION, 0.01)
     assert found.peak("delta_dot") > 10 * LIMITS.delta_dot
     assert found.peak("delta_ddot") == LIMITS.delta_ddot
 
 
 @pytest.mark.parametrize("law", StickLaw)
 def test_shaped_signals_stay_within_their_limits_and_go_on_from_one_another(law):
-    found = smooth(LIMITS, ELL, law, 0.01)
+    found = shaped_signals(LIMITS, ELL, law, 0.01)
     for name in SIGNALS:
         limit = getattr(LIMITS, name)
         assert 0.5 * limit < found.peak(name) <= limit * (1 + ROUNDING)
@@ -65,7 +67,7 @@ def test_shaped_signals_stay_within_their_limits_and_go_on_from_one_another(law)
 
 
 def test_a_stick_that_is_let_go_means_what_its_law_says():
-    ends = {law: smooth(LIMITS, ELL, law, 0.01).controls[-1] for law in StickLaw}
+    ends = {law: shaped_signals(LIMITS, ELL, law, 0.01).controls[-1] for law in StickLaw}
     assert ends[StickLaw.ANGLE].delta == pytest.approx(0.0, abs=1e-4 * LIMITS.delta)
     assert ends[StickLaw.RATE].delta_dot == pytest.approx(0.0, abs=1e-4 * LIMITS.delta_dot)
     assert ends[StickLaw.RATE].delta > 0.4 * LIMITS.delta
@@ -78,7 +80,7 @@ def test_the_section_flies_both_kinds_and_says_what_came_of_it(tmp_path, monkeyp
     monkeypatch.setattr(sticks, "TICKS", (0.1, 0.02))
     found = section(tmp_path)
     assert found.answers == sticks.ANSWERS
-    assert not not_shown(found)
+    assert not dangling(found)
     assert [answer.item for answer in found.answers] == [f"Figure {n}" for n in range(16, 23)]
     solver = next(n.table for n in found.tables if n.name == "sticks_solver").records()
     assert len(solver) == 12

@@ -4,21 +4,21 @@ from math import pi
 
 import numpy as np
 import pytest
+
+from kitemj.physics.steering import Control, Segment, control
 from thesis import verification
-from thesis.answers import not_shown
+from thesis.answers import dangling
 from thesis.verification import section
 from thesis.verification_flights import (
     POSITION,
-    Interpolated,
-    all_again,
-    apart,
-    deltas,
+    LinearInterpolation,
+    all_replays,
+    delta_series,
+    distances,
     interpolation_errors,
-    recorded,
+    record_flight,
     segments_of,
 )
-
-from kitemj.physics.steering import Control, Segment, control
 
 SHORT = 1.0
 NEAR = 1e-8
@@ -27,11 +27,11 @@ NEAR = 1e-8
 
 @pytest.fixture(scope="module")
 def recording(tmp_path_factory):
-    return recorded(tmp_path_factory.mktemp("flight") / "flight.arrows", SHORT)
+    return record_flight(tmp_path_factory.mktemp("flight") / "flight.arrows", SHORT)
 
 
 def test_the_same_is_flown_each_time(recording, tmp_path):
-    again = recorded(tmp_path / "again.arrows", SHORT)
+    again = record_flight(tmp_path / "again.arrows", SHORT)
     assert len(again) == len(recording) == round(SHORT / recording.header.tick) + 1
     for name, column in recording.columns.items():
         if name != "lateness_s":
@@ -46,14 +46,16 @@ def test_segments_go_on_from_one_another_and_are_where_the_kite_is(recording):
     ends = [control(s, (k + 1) * tick).delta for k, s in enumerate(segments)]
     np.testing.assert_allclose(ends[:-1], steered[1:], atol=1e-15)
     # the attachments are where lines of these lengths end: MuJoCo holds them to 1 nm of 80 m
-    np.testing.assert_allclose(deltas(recording.parameters, recording.columns)[1:], ends, atol=1e-9)
+    np.testing.assert_allclose(
+        delta_series(recording.parameters, recording.columns)[1:], ends, atol=1e-9
+    )
 
 
 def test_straight_lines_meet_the_samples_and_miss_a_parabola_by_an_eighth():
     tick, ddot = 0.01, 0.05
     first = Segment(0.0, Control(80.0, 0.0, 0.0, 0.01, 0.002, ddot))
     second = Segment(tick, control(first, tick)._replace(delta_ddot=-ddot))
-    straight = Interpolated([first, second], tick)
+    straight = LinearInterpolation([first, second], tick)
     assert straight(0.0) == pytest.approx(first.control)
     assert straight(tick) == pytest.approx(second.control)
     miss = straight(tick / 2).delta - control(first, tick / 2).delta
@@ -62,8 +64,8 @@ def test_straight_lines_meet_the_samples_and_miss_a_parabola_by_an_eighth():
 
 
 def test_all_ways_end_up_near_the_recording_and_the_thesiss_way_farthest(recording):
-    again = {a.name: a for a in all_again(recording)}
-    gaps = {name: float(apart(recording, a, POSITION).max()) for name, a in again.items()}
+    again = {a.name: a for a in all_replays(recording)}
+    gaps = {name: float(distances(recording, a, POSITION).max()) for name, a in again.items()}
     assert again["mujoco, exact"].note == "the same to the last bit"
     assert gaps["mujoco, exact"] == 0.0
     assert 0.0 < gaps["lagrange, exact"] < NEAR
@@ -83,7 +85,7 @@ def test_the_section_says_what_the_files_hold(tmp_path, monkeypatch):
     monkeypatch.setattr(verification, "SECONDS", SHORT)
     found = section(tmp_path)
     assert found.answers == verification.ANSWERS
-    assert not not_shown(found)
+    assert not dangling(found)
     assert {a.item for a in found.answers} == {f"Figure {n}" for n in (23, 24, 26, 27, 28)}
     table = found.tables[0].table
     assert len(table.rows) == 6

@@ -1,14 +1,22 @@
 """Wishes: what is said to be done was flown."""
 
 import pytest
-from thesis import wishes
-from thesis.wishes import REEL, Reel, as_table, ell_at_rest, section, steered, table_gap
 
 from kitemj.flight.limits import Ending
 from kitemj.physics.aerodynamics import coefficients
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
 from kitemj.pilots.manoeuvres import Land
+from thesis import wishes
+from thesis.wishes import (
+    REEL_STICK,
+    ReelOut,
+    as_coefficient_table,
+    ell_at_rest,
+    fly,
+    section,
+    table_gap,
+)
 
 THESIS = parameter_set("thesis")
 SAME = 1e-12
@@ -26,21 +34,25 @@ def test_every_wish_is_done_or_says_what_is_open(tmp_path):
 
 
 def test_the_stick_moves_the_length_of_the_lines():
-    seen = steered("thesis", Reel(), 12.0)
-    moved = seen.last.motion.control.ell - ell_at_rest("thesis")
-    assert abs(moved - REEL * THESIS.stick.ell) < 1e-3
-    assert seen.departure is None
+    outcome = fly("thesis", ReelOut(), 12.0)
+    moved = outcome.last.motion.control.ell - ell_at_rest("thesis")
+    assert abs(moved - REEL_STICK * THESIS.stick.ell) < 1e-3
+    assert outcome.departure is None
 
 
 def test_a_flight_ends_on_the_ground():
-    seen = steered("sport", Land(), 30.0)
-    assert seen.last.departure.ending is Ending.GROUND
-    assert seen.t < 30.0
+    outcome = fly("sport", Land(), 30.0)
+    assert outcome.last.departure.ending is Ending.GROUND
+    assert outcome.t < 30.0
 
 
 def test_the_table_is_the_linear_law_at_its_own_speed():
     law, kite = THESIS.aero, THESIS.kite
-    tables = {"set": "thesis", "duration": 1.0, "aero": {"law": "table", "table": as_table(law)}}
+    tables = {
+        "set": "thesis",
+        "duration": 1.0,
+        "aero": {"law": "table", "table": as_coefficient_table(law)},
+    }
     table = wishes.scenario_of(tables, "test").parameters.aero
     state = (0.2, -0.1, Vector(0.3, -0.4, 0.5), law.V_ref)
     assert coefficients(table, kite, *state) == pytest.approx(coefficients(law, kite, *state))
@@ -50,7 +62,7 @@ def test_the_table_stands_where_the_linear_law_does_and_notices_a_change(monkeyp
     assert table_gap() < SAME
 
     def nose_up(aero):
-        return as_table(aero._replace(Cm_0=1.01 * aero.Cm_0))
+        return as_coefficient_table(aero._replace(Cm_0=1.01 * aero.Cm_0))
 
-    monkeypatch.setattr(wishes, "as_table", nose_up)
+    monkeypatch.setattr(wishes, "as_coefficient_table", nose_up)
     assert table_gap() > 1e-4

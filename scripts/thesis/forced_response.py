@@ -1,4 +1,4 @@
-"""The flight that repeats itself under δ = δ₀ sin ωt, and whether the kite keeps to it.
+"""The periodic flight under δ = δ₀ sin ωt, and its stability by Floquet multipliers.
 
 Once in each period T = 2π/ω of the hands the state x is looked at; a flight that repeats is a
 fixed point of the map from one look to the next, x = Φ_T(x). It attracts where all eigenvalues
@@ -31,7 +31,7 @@ FIRST, LAST, STRIDE = -0.20, -0.60, -0.02
 """1/rad; the values of C_lβ between which a threshold is looked for."""
 
 
-class Swing(NamedTuple):
+class SineSteering(NamedTuple):
     """δ₀ [rad] and ω [rad/s]."""
 
     delta: float
@@ -48,7 +48,7 @@ class Swing(NamedTuple):
         return Sines(ell, 0.0, self.delta, self.omega)
 
 
-class Repeating(NamedTuple):
+class PeriodicFlight(NamedTuple):
     """The state `x` (8,) at t = 0, T, 2T ..., dΦ_T/dx, and the growth rate [1/s] beside it."""
 
     x: Array
@@ -56,12 +56,12 @@ class Repeating(NamedTuple):
     growth: float
 
 
-class Steered(Minimal):
+class ForcedLagrange(Minimal):
     """Lagrange's equations under a swing; the control that is handed over says nothing."""
 
-    def __init__(self, parameters: Parameters, swing: Swing) -> None:
+    def __init__(self, parameters: Parameters, steering: SineSteering) -> None:
         super().__init__("lagrange", parameters)
-        self.programme = swing.programme(parameters)
+        self.programme = steering.programme(parameters)
 
     def flow(self, x: Array, control: Control, duration: float, steps: int = 0) -> Array:
         """`x` after `duration` [s] from t = 0 on, in `steps`."""
@@ -69,23 +69,23 @@ class Steered(Minimal):
         return np.array([*end.q, *end.q_dot])
 
 
-def settled(parameters: Parameters, swing: Swing) -> Array:
+def settled_state(parameters: Parameters, steering: SineSteering) -> Array:
     """x (8,) at a whole number of periods after a start from the equilibrium."""
-    kite, x = Steered(parameters, swing), trimmed(parameters)
-    steps = _steps(swing)
-    for _ in range(max(2, round(SETTLING / swing.period))):
-        x = kite.flow(x, held(1.0), swing.period, steps)
+    kite, x = ForcedLagrange(parameters, steering), trimmed(parameters)
+    steps = _steps(steering)
+    for _ in range(max(2, round(SETTLING / steering.period))):
+        x = kite.flow(x, held(1.0), steering.period, steps)
     return x
 
 
-def repeating(
-    parameters: Parameters, swing: Swing, x: Array, slope: Array | None = None
-) -> Repeating | None:
+def periodic_flight(
+    parameters: Parameters, steering: SineSteering, x: Array, slope: Array | None = None
+) -> PeriodicFlight | None:
     """The fixed point next to `x` (8,); None where Newton's method does not close it.
 
     `slope`: dΦ_T/dx of a flight near by, used as long as it serves.
     """
-    kite, T, steps = Steered(parameters, swing), swing.period, _steps(swing)
+    kite, T, steps = ForcedLagrange(parameters, steering), steering.period, _steps(steering)
     still = held(1.0)
     units = state_units(parameters, kite.programme.ell)
     before = np.inf
@@ -103,45 +103,45 @@ def repeating(
     else:
         return None
     slope = monodromy(kite, x, T, still, steps, units)
-    return Repeating(x, slope, log(float(np.abs(np.linalg.eigvals(slope)).max())) / T)
+    return PeriodicFlight(x, slope, log(float(np.abs(np.linalg.eigvals(slope)).max())) / T)
 
 
-class Threshold(NamedTuple):
+class StabilityThreshold(NamedTuple):
     """`value` of C_lβ [1/rad] beyond which the repeating flight repels, nan where none was met.
 
-    `followed`: the last C_lβ at which it attracts for certain.
+    `stable_to`: the last C_lβ at which it attracts for certain.
     """
 
     value: float
-    followed: float
+    stable_to: float
 
 
-def threshold(parameters: Parameters, swing: Swing) -> Threshold:
+def stability_threshold(parameters: Parameters, steering: SineSteering) -> StabilityThreshold:
     """The repeating flight is followed from `FIRST` in strides of `STRIDE`, as far as `LAST`."""
 
-    def at(value: float, near: Repeating) -> Repeating | None:
+    def at(value: float, near: PeriodicFlight) -> PeriodicFlight | None:
         there = with_value(parameters, "aero.Cl_beta", value)
-        return repeating(there, swing, near.x, near.monodromy)
+        return periodic_flight(there, steering, near.x, near.monodromy)
 
     there = with_value(parameters, "aero.Cl_beta", FIRST)
-    found, value = repeating(there, swing, settled(there, swing)), FIRST
+    found, value = periodic_flight(there, steering, settled_state(there, steering)), FIRST
     if found is None or found.growth > 0:
-        return Threshold(nan, nan)
+        return StabilityThreshold(nan, nan)
     while value + STRIDE > LAST + STRIDE / 2:
         ahead = at(value + STRIDE, found)
         if ahead is None:
             break
         if ahead.growth > 0:
 
-            def growth(value: float, near: Repeating = found) -> float:
+            def growth(value: float, near: PeriodicFlight = found) -> float:
                 here = at(value, near)
                 return here.growth if here else nan
 
             exact = float(brentq(growth, value + STRIDE, value, xtol=1e-6))
-            return Threshold(exact, value)
+            return StabilityThreshold(exact, value)
         found, value = ahead, value + STRIDE
-    return Threshold(nan, value)
+    return StabilityThreshold(nan, value)
 
 
-def _steps(swing: Swing) -> int:
-    return round(swing.period / STEP)
+def _steps(steering: SineSteering) -> int:
+    return round(steering.period / STEP)

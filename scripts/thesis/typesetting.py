@@ -1,4 +1,4 @@
-"""How sentences, numbers and columns of tables are written for people."""
+"""Sentences, numbers and headings of tables as HTML."""
 
 import re
 from math import isfinite, isnan
@@ -51,7 +51,7 @@ def _dotted(found: re.Match[str]) -> str:
     return f'<span class="dotted" data-dots="{dots}" aria-label="{found[0]}">{found[1]}</span>'
 
 
-def heading(column: str) -> Markup:
+def typeset_heading(column: str) -> Markup:
     """`beta_max_deg` as ``β max [°]``, `C_lβ` with its index lowered."""
     for ending, unit in UNITS.items():
         if column.endswith(f"_{ending}"):
@@ -65,7 +65,7 @@ def _words(column: str) -> Markup:
     return escape(" ".join(GREEK.get(word, word) for word in column.split("_")))
 
 
-def shown(cell: Cell) -> Markup:
+def typeset_cell(cell: Cell) -> Markup:
     """A number to five digits, with ten to some power where that is shorter."""
     if isinstance(cell, bool):
         return Markup("yes" if cell else "no")

@@ -1,4 +1,4 @@
-"""How busy other programs keep the machine: what a measured time has to be read beside."""
+"""How many processor cores other programs use while a time is measured."""
 
 import os
 import time
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 
-class Work(NamedTuple):
+class ProcessorTime(NamedTuple):
     """At the time `wall` [s]: processor time [s] used by this program and by all, ever.
 
     `own` is that of this process and of those that it began and that still run. Both are not a
@@ -20,13 +20,15 @@ class Work(NamedTuple):
     everyone: float
 
 
-def work(proc: Path = Path("/proc")) -> Work:
+def processor_time(proc: Path = Path("/proc")) -> ProcessorTime:
     """What was done until now."""
     children = sum(_of_process(proc / str(child.pid) / "stat") for child in active_children())
-    return Work(time.perf_counter(), time.process_time() + children, _of_all(proc / "stat"))
+    return ProcessorTime(
+        time.perf_counter(), time.process_time() + children, _of_all(proc / "stat")
+    )
 
 
-def others(before: Work, after: Work) -> float:
+def other_load(before: ProcessorTime, after: ProcessorTime) -> float:
     """How many cores others used in between, on average; by clocks of 10 ms."""
     own, everyone = after.own - before.own, after.everyone - before.everyone
     cores = (everyone - own) / (after.wall - before.wall)

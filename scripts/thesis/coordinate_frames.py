@@ -5,19 +5,19 @@ from pathlib import Path
 import numpy as np
 
 from kitemj.tables import Cell, Table
-from thesis.frames_drawn_figures import all_figure, planes_figure
-from thesis.frames_placed import Placed, placed
-from thesis.section import Answer, Drawing, Named, Section, Verdict
+from thesis.coordinate_frames_figures import all_figure, planes_figure
+from thesis.coordinate_frames_geometry import FrameGeometry, frame_geometry
+from thesis.section import Answer, Drawing, NamedTable, Section, Verdict
 
 ANSWERS = (
-    Answer("Figure 12", Verdict.REPRODUCED, shown="frames_all"),
-    Answer("Figure 13", Verdict.REPRODUCED, shown="frames_planes"),
+    Answer("Figure 12", Verdict.REPRODUCED, shown_by="frames_all"),
+    Answer("Figure 13", Verdict.REPRODUCED, shown_by="frames_planes"),
 )
 
 
 def section(scratch: Path) -> Section:
     """Drawn at `Q`, with lines of about `ELL`."""
-    found = placed()
+    found = frame_geometry()
     return Section(
         "Frames (section 3)",
         ANSWERS,
@@ -50,11 +50,11 @@ def section(scratch: Path) -> Section:
                 planes_figure(found),
             ),
         ],
-        tables=[Named("frames", frames_table(found))],
+        tables=[NamedTable("frames", frames_table(found))],
     )
 
 
-def frames_table(found: Placed) -> Table:
+def frames_table(found: FrameGeometry) -> Table:
     """A row for each axis."""
     rows: list[tuple[Cell, ...]] = []
     for frame, R in found.axes.items():

@@ -1,4 +1,4 @@
-"""The frames of section 3 and the points between them, by the rotations that the models use."""
+"""Section 3: origins and axes of the coordinate frames, by the rotations of the models."""
 
 from math import radians
 from typing import NamedTuple
@@ -21,7 +21,7 @@ ELL, DELTA = 7.0, radians(20.0)
 ZERO = Angles(0.0, 0.0, 0.0, 0.0)
 
 
-class Placed(NamedTuple):
+class FrameGeometry(NamedTuple):
     """Points [m, E], and the axes of each frame as rows of unit vectors [E]."""
 
     points: dict[str, Array]
@@ -29,7 +29,7 @@ class Placed(NamedTuple):
     origins: dict[str, str]
 
 
-def placed() -> Placed:
+def frame_geometry() -> FrameGeometry:
     """Everything that is drawn."""
     parameters = parameter_set("thesis")
     pose = body(parameters, Q, ZERO, held(ELL, DELTA))
@@ -41,4 +41,4 @@ def placed() -> Placed:
     points["G"] = np.array(pose.p_G_E)
     rotations = {"E": np.eye(3), "1": R_1E(Q.phi, Q.gamma), "2": R_2E(Q), "B": R_BE(Q)}
     axes = {name: np.array(R) for name, R in rotations.items()}
-    return Placed(points, axes, {"E": "O_E", "1": "O_E", "2": "O_2", "B": "G"})
+    return FrameGeometry(points, axes, {"E": "O_E", "1": "O_E", "2": "O_2", "B": "G"})

@@ -1,4 +1,4 @@
-"""A figure of equal panels, without a screen."""
+"""A matplotlib figure with a grid of equal axes, without a screen."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -6,7 +6,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def panels(
+def subplots(
     rows: int, columns: int, size: tuple[float, float], **shared: Any
 ) -> "tuple[Figure, Any]":
     """A figure of `size` [inch] and its axes, shape (rows, columns)."""

@@ -1,4 +1,4 @@
-"""Section 3 drawn: all frames in space, and in the planes of their last two turns."""
+"""Section 3: figures of the coordinate frames, in space and in the planes of two of them."""
 
 from math import cos, degrees, pi, radians, sin
 from typing import TYPE_CHECKING, Any
@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kitemj.physics.parameter_files import parameter_set
-from thesis.frames_placed import Array, Placed
-from thesis.panels import panels
+from thesis.coordinate_frames_geometry import Array, FrameGeometry
+from thesis.subplots import subplots
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -19,7 +19,7 @@ COLOURS = {"E": "0.35", "1": "#0B6FA4", "2": "#B8560A", "B": "#1B7F3B"}
 LINES = {"E": "-", "1": (0, (5, 1.5)), "2": (0, (3, 1, 1, 1)), "B": "-"}
 
 
-def all_figure(found: Placed) -> "Figure":
+def all_figure(found: FrameGeometry) -> "Figure":
     """In the world's axes, z up, as matplotlib wants them: (x, -y, -z) of E."""
     from matplotlib.figure import Figure
 
@@ -53,7 +53,7 @@ def all_figure(found: Placed) -> "Figure":
     return figure
 
 
-def _triad(ax: Any, found: Placed, frame: str, length: float) -> None:
+def _triad(ax: Any, found: FrameGeometry, frame: str, length: float) -> None:
     start = _up(found.points[found.origins[frame]])
     for letter, axis in zip("xyz", found.axes[frame], strict=True):
         way = _up(axis) * length
@@ -75,7 +75,7 @@ def _triad(ax: Any, found: Placed, frame: str, length: float) -> None:
         )
 
 
-def _surface(ax: Any, found: Placed) -> None:
+def _surface(ax: Any, found: FrameGeometry) -> None:
     """The kite itself: a rectangle of chord and span about G."""
     kite = parameter_set("thesis").kite
     forward, starboard, _ = found.axes["B"]
@@ -97,9 +97,9 @@ def _wind(ax: Any) -> None:
     ax.text(1.4, 0.0, 3.35, "wind", fontsize=10, ha="center")
 
 
-def planes_figure(found: Placed) -> "Figure":
+def planes_figure(found: FrameGeometry) -> "Figure":
     """The plane π of the lines, and the kite's plane of symmetry."""
-    figure, ((left, right),) = panels(1, 2, (7.4, 3.9))
+    figure, ((left, right),) = subplots(1, 2, (7.4, 3.9))
     _pi_plane(left, found)
     _symmetry_plane(right, found)
     for ax in (left, right):
@@ -109,7 +109,7 @@ def planes_figure(found: Placed) -> "Figure":
     return figure
 
 
-def _pi_plane(ax: Any, found: Placed) -> None:
+def _pi_plane(ax: Any, found: FrameGeometry) -> None:
     """Components (-y_1, -z_1): the ground below, A₊ on the left, as from behind the pilot."""
     flat = {name: -(found.axes["1"] @ point)[1:] for name, point in found.points.items()}
     for end, colour in (("A₊", "#D0101A"), ("A₋", "#1A3DF2")):
@@ -139,7 +139,7 @@ def _pi_plane(ax: Any, found: Placed) -> None:
     _arc(ax, flat["O_2"], y_1, y_2, 1.6, r"$\eta$")
 
 
-def _symmetry_plane(ax: Any, found: Placed) -> None:
+def _symmetry_plane(ax: Any, found: FrameGeometry) -> None:
     """Components (-x_2, -z_2) about O_2: nose to the left, ground below."""
     R_2, R_B = found.axes["2"], found.axes["B"]
     G = -(R_2 @ (found.points["G"] - found.points["O_2"]))[[0, 2]]
@@ -189,7 +189,15 @@ def _arrow(ax: Any, start: Array, way: Array, frame: str, letter: str) -> None:
 
 
 def _arc(ax: Any, centre: Array, a: Array, b: Array, radius: float, label: str) -> None:
-    """An arc from the direction of `a` to that of `b`, the short way."""
+    """Draws an arc from one direction to another, the short way.
+
+    ax: the axes
+    centre: (2,) m, its middle
+    a: (2,) direction where it begins
+    b: (2,) direction where it ends
+    radius: m
+    label: what is written beside it
+    """
     start = float(np.arctan2(a[1], a[0]))
     turn = (float(np.arctan2(b[1], b[0])) - start + np.pi) % (2 * np.pi) - np.pi
     bow = [

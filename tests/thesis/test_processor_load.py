@@ -4,21 +4,22 @@ import os
 from math import isnan
 
 import pytest
-from thesis import other_work
-from thesis.other_work import Work, others, work
+
+from thesis import processor_load
+from thesis.processor_load import ProcessorTime, other_load, processor_time
 
 needs_clock = pytest.mark.skipif(not hasattr(os, "sysconf"), reason="no ticks of the clock")
 
 
 def test_own_work_is_taken_off():
-    assert others(Work(10.0, 1.0, 100.0), Work(14.0, 3.0, 108.0)) == 1.5
+    assert other_load(ProcessorTime(10.0, 1.0, 100.0), ProcessorTime(14.0, 3.0, 108.0)) == 1.5
 
 
 @needs_clock
 def test_idle_and_waiting_time_are_no_work(tmp_path):
     hertz = os.sysconf("SC_CLK_TCK")
     (tmp_path / "stat").write_text("cpu  1 2 4 1000 2000 8 16 32 64 128\ncpu0 9 9 9 9 9 9 9 9\n")
-    assert work(tmp_path).everyone == (1 + 2 + 4 + 8 + 16 + 32) / hertz
+    assert processor_time(tmp_path).everyone == (1 + 2 + 4 + 8 + 16 + 32) / hertz
 
 
 @needs_clock
@@ -30,13 +31,13 @@ def test_work_of_a_process_of_ours_is_our_own(tmp_path, monkeypatch):
     (tmp_path / "77").mkdir()
     fields = "S 1 2 3 4 5 6 7 8 9 10 300 700 13"
     (tmp_path / "77" / "stat").write_text(f"77 (a name) with) {fields}")
-    monkeypatch.setattr(other_work, "active_children", list)
-    alone = work(tmp_path).own
-    monkeypatch.setattr(other_work, "active_children", lambda: [Child()])
-    assert work(tmp_path).own - alone == pytest.approx(1000 / hertz, abs=1.0)
+    monkeypatch.setattr(processor_load, "active_children", list)
+    alone = processor_time(tmp_path).own
+    monkeypatch.setattr(processor_load, "active_children", lambda: [Child()])
+    assert processor_time(tmp_path).own - alone == pytest.approx(1000 / hertz, abs=1.0)
 
 
 def test_where_nothing_is_told_it_is_not_a_number(tmp_path):
-    unknown = work(tmp_path)
+    unknown = processor_time(tmp_path)
     assert isnan(unknown.everyone)
-    assert isnan(others(unknown, work(tmp_path)))
+    assert isnan(other_load(unknown, processor_time(tmp_path)))
