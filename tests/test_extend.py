@@ -51,6 +51,7 @@ class Jet(NamedTuple):
     speed: Annotated[float, Quantity("m/s", "far from the jet", ge=0)]
     strength: Annotated[float, Quantity("", "of the jet, part of the speed")] = 0.5
     height: Annotated[float, Quantity("m", "of the jet", gt=0)] = 30.0
+    growth: Annotated[float, Quantity("1/m", "of the wind over the way downwind")] = 0.0
     veer: Annotated[float, Quantity("rad/m", "the wind turns with height")] = 0.0
     pulse: Annotated[float, Quantity("rad/s", "the jet swells and ebbs")] = 0.0
     azimuth: Annotated[float, Quantity("rad", "turns the wind about z_E")] = 0.0
@@ -60,7 +61,9 @@ class Jet(NamedTuple):
 @compiled
 def jet(wind, p_E, t):
     far = (-p_E.z - wind.height) / wind.height
+    downwind = -p_E.x * cos(wind.azimuth) - p_E.y * sin(wind.azimuth)
     V = wind.speed * (1 + wind.strength * cos(wind.pulse * t) * exp(-far * far))
+    V *= 1 + wind.growth * downwind
     towards = wind.azimuth - wind.veer * p_E.z
     return Vector(-V * cos(towards), -V * sin(towards), 0.0)
 
@@ -114,11 +117,12 @@ model = "lagrange"
 """
 TRIM = """
 import json
+from math import exp, tan
 from kitemj.errors import InputError
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.stability.trim import equilibria, trimmed
 
-WIND = {"law": "jet", "speed": 5.0, "azimuth_deg": 20.0}
+WIND = {"law": "jet", "speed": 5.0, "azimuth_deg": 20.0, "growth": 0.01}
 
 def refused(**more):
     try:
@@ -131,7 +135,8 @@ def equilibrium(wind):
 
 found = equilibrium(WIND)
 far = (found.height - 30.0) / 30.0
-speed = 5.0 * (1 + 0.5 * 2.718281828459045 ** (-far * far))
+downwind = found.height / tan(found.elevation)
+speed = 5.0 * (1 + 0.5 * exp(-far * far)) * (1 + 0.01 * downwind)
 level = equilibrium({"speed": speed, "azimuth_deg": 20.0})
 print(json.dumps([found.q, level.q, refused(veer=0.01), refused(pulse=1.0)]))
 """
