@@ -93,7 +93,7 @@ class Registry(Generic[T]):
 
     def __len__(self) -> int:
         """How many names there are."""
-        return len(list(self))
+        return sum(1 for _ in self)
 
     def name_of(self, thing: T) -> str:
         """The name under which `thing` can be asked for; raises InputError where it has none."""
