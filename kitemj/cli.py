@@ -25,6 +25,7 @@ from kitemj.commands import (
 )
 from kitemj.commands.arguments import Parser
 from kitemj.errors import FlightError, InputError, NoGraphics
+from kitemj.registry import use
 
 COMMANDS = (
     fly,
@@ -52,6 +53,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words.called = called
     _say_if_cold()
     try:
+        for module in words.use:
+            use(module)
         return int(words.run(words))
     except (InputError, FileExistsError, FileNotFoundError, PermissionError) as error:
         print(f"kitemj: {error}", file=sys.stderr)

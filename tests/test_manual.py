@@ -23,8 +23,10 @@ from markdown_it import MarkdownIt
 
 from kitemj.cli import _parser, main
 from kitemj.controls.settings import settings_of
+from kitemj.dynamics.formulation import MODELS
 from kitemj.errors import InputError
 from kitemj.flight.scenario import scenario_of
+from kitemj.physics.parameter_files import LAWS
 from kitemj.recording.table import ALL
 from kitemj.studies.study import read_study
 
@@ -45,8 +47,11 @@ SHORTER = {
     "film": ["--size", "320x180"],
     "replay": ["--headless"],
 }
-OWN_PROCESS = ("soft_stall.py", "fly_soft_stall.py")
-"""Their formulas are the process's own, and so is what it compiles."""
+OWN_FORMULAS = ("jet.py", "soft_stall.py")
+"""Run, and used, in processes of their own, and so is what these compile."""
+OWN_LAWS = ("jet", "soft-stall")
+"""What they add."""
+GROUPS = {registry.group for registry in (*LAWS.values(), MODELS)} | {"kitemj.pilots"}
 NOT_OURS = ("polars", "pandas")
 """Programs that read recordings, tried where they are."""
 KINDS = {"console", "python", "toml", "text"}
@@ -146,7 +151,9 @@ def type_in(words: list[str]) -> None:
     if program == "kitemj":
         words = [name for word in rest for name in (expanded(word) or [word])]
         _parser().parse_args(words)
-        if words[0] not in ASKED_FOR:
+        if "--use" in words:
+            run_apart("-m", "kitemj", *words)
+        elif words[0] not in ASKED_FOR:
             assert main([*words, *SHORTER.get(words[0], [])]) == 0
     elif program == "make":
         assert re.search(rf"^{rest[0]}:", (ROOT / "Makefile").read_text(), re.MULTILINE)
@@ -167,6 +174,10 @@ def check_toml(step: Step, desk: Path) -> None:
     tables = tomllib.loads(step.text)
     if step.name == "settings.toml":
         settings_of(tables, called(step))
+    elif step.name == "pyproject.toml":
+        assert set(tables["project"]["entry-points"]) <= GROUPS
+    elif any(tables.get(section, {}).get("law", "") in OWN_LAWS for section in LAWS):
+        assert step.name, "the commands after it read it"
     elif "scenario" in tables:
         assert read_study(desk / step.name).design.count > 1
     else:
@@ -179,12 +190,8 @@ def run_python(step: Step, desk: Path, monkeypatch: pytest.MonkeyPatch) -> None:
             pytest.importorskip(package)
     file = desk / (step.name or "snippet.py")
     file.write_text(step.text, encoding="utf-8")
-    if step.name in OWN_PROCESS:
-        cache = {"XDG_CACHE_HOME": str(desk / "cache")}
-        done = subprocess.run(
-            [sys.executable, file], env=os.environ | cache, capture_output=True, check=False
-        )
-        assert done.returncode == 0, done.stderr.decode()
+    if step.name in OWN_FORMULAS:
+        run_apart(file)
         return
     monkeypatch.syspath_prepend(desk)
     known = set(sys.modules)
@@ -192,6 +199,15 @@ def run_python(step: Step, desk: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in set(sys.modules) - known:
         if (desk / f"{name}.py").is_file():
             del sys.modules[name]
+
+
+def run_apart(*words: str | Path) -> None:
+    """In the desk's folder; its machine code is kept there."""
+    environment = os.environ | {"XDG_CACHE_HOME": str(Path("cache").resolve())}
+    done = subprocess.run(
+        [sys.executable, *words], env=environment, capture_output=True, check=False
+    )
+    assert done.returncode == 0, done.stderr.decode()
 
 
 def test_there_is_much_to_try():

@@ -7,6 +7,7 @@ LAW = """
 from typing import NamedTuple
 from kitemj.physics.aerodynamics import Coefficients, aero_law
 from kitemj.physics.compiled import compiled
+from helper import helped
 
 class Paper(NamedTuple):
     Cx: float
@@ -14,7 +15,14 @@ class Paper(NamedTuple):
 @aero_law.of(Paper)
 @compiled
 def paper(aero, *arguments):
-    return Coefficients({number}, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return Coefficients(helped(0.1), 0.0, 0.0, 0.0, 0.0, 0.0)
+"""
+HELPER = """
+from kitemj.physics.compiled import compiled
+
+@compiled
+def helped(x):
+    return {number} * x
 """
 ASK = """
 from kitemj.dynamics.mujoco_kite import step
@@ -34,10 +42,11 @@ def caches(folder, then):
 
 
 def test_machine_code_with_an_own_formula_is_kept_elsewhere(tmp_path):
-    (tmp_path / "paper.py").write_text(LAW.format(number=0.1))
+    (tmp_path / "paper.py").write_text(LAW)
+    (tmp_path / "helper.py").write_text(HELPER.format(number=1.0))
     usual, with_own = caches(tmp_path, "import paper")
     assert with_own != usual
     assert caches(tmp_path, "") == [usual, usual]
     assert caches(tmp_path, "import paper") == [usual, with_own]
-    (tmp_path / "paper.py").write_text(LAW.format(number=0.2))
+    (tmp_path / "helper.py").write_text(HELPER.format(number=2.0))
     assert caches(tmp_path, "import paper")[1] not in (usual, with_own)

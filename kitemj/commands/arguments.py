@@ -23,10 +23,18 @@ class Parser(argparse.ArgumentParser):
 def command(
     commands: "argparse._SubParsersAction[Parser]", name: str, says: str, example: str
 ) -> Parser:
-    """The parser of a subcommand, with an example in its help."""
-    return commands.add_parser(
+    """The parser of a subcommand, with an example in its help and the option ``--use``."""
+    parser = commands.add_parser(
         name, help=says, description=says, epilog=f"example:\n  {example}", formatter_class=RAW
     )
+    parser.add_argument(
+        "--use",
+        action="append",
+        default=[],
+        metavar="MODULE",
+        help="a module of your own, which adds laws of the air, winds, models or pilots",
+    )
+    return parser
 
 
 def add_step(parser: Parser) -> None:

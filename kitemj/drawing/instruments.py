@@ -36,7 +36,8 @@ from kitemj.drawing.text import width
 from kitemj.drawing.wind_window import WindWindow, bearing
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.wind import wind_speed
+from kitemj.physics.vectors import norm
+from kitemj.physics.wind import wind_velocity
 
 MARGIN = 12
 STRIP = 118  # height of the strip along the bottom
@@ -216,9 +217,9 @@ class Instruments:
             x += width(text, NAME * u) / u + 16
 
     def wind_text(self, motion: Motion) -> str:
-        """The wind's speed where the kite is, as text."""
-        speed = wind_speed(self.parameters.wind, -motion.body.p_G_E.z, motion.t)
-        return f"WIND {speed:.1f} m/s"
+        """The wind's speed where the kite is."""
+        v_E = wind_velocity(self.parameters.wind, motion.body.p_G_E, motion.t)
+        return f"WIND {norm(v_E):.1f} m/s"
 
 
 def _model(panel: Panel, readings: Readings) -> None:

@@ -24,7 +24,7 @@ from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell
 from kitemj.physics.vectors import Vector
-from kitemj.physics.wind import Wind, wind_speed
+from kitemj.physics.wind import Wind, wind_velocity
 
 GRID = np.radians(np.linspace(-90.0, 90.0, 1801))
 """rad; angles of attack between which balances are looked for, 0.1° apart."""
@@ -32,8 +32,15 @@ GRID = np.radians(np.linspace(-90.0, 90.0, 1801))
 STRONGEST = 50.0
 """m/s; no kite is asked whether it would fly in more."""
 
-HEIGHT_ITERATIONS = 100
-"""Of the wind at the kite's height; each takes the error down to a seventh or less."""
+PLACE_ITERATIONS = 100
+"""Of the wind where the kite is; in shear each takes the error down to a seventh or less."""
+
+PROBES = 17
+"""Places, up to a line's length high and far, at which a wind of another law is looked at."""
+PROBE_TIME = 1.7
+"""s; no gust worth its name is back where it was after it, at all of the places."""
+CALM = 1e-9
+"""m/s; rounding of a wind's sines and cosines, no more."""
 
 
 class Equilibrium(NamedTuple):
@@ -74,20 +81,22 @@ def _balance_in(parameters: Parameters, alpha: float, V: float) -> Balance:
 def balance(parameters: Parameters, ell: float, alpha: float) -> Balance:
     """The balance at `alpha` [rad] with the attachments' midpoint `ell` [m] from O_E.
 
-    In a wind that grows with height the kite's height follows from the direction of the
-    lines, and that from the wind.
+    The wind blows along -x_E. Where it is not the same everywhere, the kite's place follows
+    from the direction of the lines, and that from the wind.
     """
     kite, wind = parameters.kite, parameters.wind
     found = _balance_in(parameters, alpha, wind.speed)
-    if wind.exponent == 0.0:
-        return found
-    for _ in range(HEIGHT_ITERATIONS):
+    for _ in range(PLACE_ITERATIONS):
         gamma = atan2(-found.force_x, -found.force_z)
         theta = alpha - gamma
         ahead = kite.x_A * cos(theta) + kite.z_A * sin(theta)
         above = ell - kite.x_A * sin(theta) + kite.z_A * cos(theta)
-        V = wind_speed(wind, above * cos(gamma) - ahead * sin(gamma), 0.0)
+        x = -above * sin(gamma) - ahead * cos(gamma)
+        height = above * cos(gamma) - ahead * sin(gamma)
+        V = -wind_velocity(wind, Vector(x, 0.0, -height), 0.0).x
         change = abs(V - found.wind)
+        if change == 0.0:
+            break
         found = _balance_in(parameters, alpha, V)
         if change <= 1e-15 * V:
             break
@@ -150,15 +159,23 @@ def hanging(parameters: Parameters, ell: float, alpha: float) -> Equilibrium:
 
 def symmetric_equilibria(parameters: Parameters, ell: float) -> list[Equilibrium]:
     """All with 0 < α < α_stall and pulling lines, by ascending α; `ell` in m, δ = 0."""
+    parameters = _from_ahead(parameters)
     found = [hanging(parameters, ell, alpha) for alpha in balanced_angles(parameters, ell)]
     stall = parameters.limits.alpha_stall
     return [e for e in found if 0 < e.alpha < stall and e.tension > 0 and abs(e.gamma) < pi / 2]
 
 
+def _from_ahead(parameters: Parameters) -> Parameters:
+    """The same with the wind not turned."""
+    return parameters._replace(wind=parameters.wind._replace(azimuth=0.0))
+
+
 def check_steady(parameters: Parameters, source: str) -> None:
-    """Raises InputError for a wind in which nothing can stand still."""
+    """Raises InputError for a wind in which nothing can stand still, or not facing it."""
     wind = parameters.wind
-    if wind.gust_amplitude != 0.0:
+    if not isinstance(wind, Wind):
+        _check_probes(parameters, source)
+    elif wind.gust_amplitude != 0.0:
         raise InputError(
             f"wind.gust_amplitude must be 0 for an equilibrium, got {wind.gust_amplitude:g} "
             f"({source}, [wind]); leave the gusts out"
@@ -170,8 +187,22 @@ def check_steady(parameters: Parameters, source: str) -> None:
         )
 
 
+def _check_probes(parameters: Parameters, source: str) -> None:
+    """Asks a wind of another law, before the pilot, whether it keeps its time and direction."""
+    wind = _from_ahead(parameters).wind
+    for part in np.linspace(0.0, 1.0, PROBES):
+        p_E = Vector(-part * parameters.lines.length, 0.0, -part * parameters.lines.length)
+        v, later = (wind_velocity(wind, p_E, t) for t in (0.0, PROBE_TIME))
+        if max(abs(v.y), abs(v.z), *(abs(a - b) for a, b in zip(v, later, strict=True))) > CALM:
+            raise InputError(
+                f"an equilibrium needs a wind that is steady and blows along its azimuth, this "
+                f"{type(wind).__name__} does not {-p_E.z:g} m above ground ({source}, [wind])"
+            )
+
+
 def no_equilibrium(parameters: Parameters, ell: float, source: str) -> InputError:
     """The error that says why `symmetric_equilibria` is empty."""
+    parameters = _from_ahead(parameters)
     wind, weight = parameters.wind, parameters.kite.mass * parameters.environment.gravity
     stall = degrees(parameters.limits.alpha_stall)
     found = [hanging(parameters, ell, alpha) for alpha in balanced_angles(parameters, ell)]

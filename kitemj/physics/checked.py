@@ -34,7 +34,7 @@ def _adapter(kind: type) -> Any:
 
 
 def in_radians(table: Mapping[str, Any], section: str, source: str) -> dict[str, Any]:
-    """The table with every ``name_deg`` in degrees turned into ``name`` in rad."""
+    """The table with every ``name_deg`` in degrees as ``name`` in rad, and so in tables within."""
     turned: dict[str, Any] = {}
     for key, value in table.items():
         name = key.removesuffix("_deg")
@@ -43,11 +43,16 @@ def in_radians(table: Mapping[str, Any], section: str, source: str) -> dict[str,
                 f"{_dotted(section, name)} is given twice, with and without _deg: "
                 f"keep one ({source})"
             )
-        turned[name] = _radians(value) if name != key else value
+        if isinstance(value, Mapping):
+            turned[name] = in_radians(value, _dotted(section, name), source)
+        else:
+            turned[name] = _radians(value) if name != key else value
     return turned
 
 
 def _tuples(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _tuples(item) for key, item in value.items()}
     return tuple(_tuples(item) for item in value) if isinstance(value, list) else value
 
 
@@ -71,7 +76,8 @@ def _dotted(section: str, name: str) -> str:
     return f"{section}.{name}" if section else name
 
 
-def _quantity(kind: type, name: str) -> Quantity | None:
+def quantity_of(kind: type, name: str) -> Quantity | None:
+    """What the annotation of the field `name` says; None where it says nothing."""
     hint = get_type_hints(kind, include_extras=True).get(name)
     if get_origin(hint) is not Annotated:
         return None
@@ -80,9 +86,12 @@ def _quantity(kind: type, name: str) -> Quantity | None:
 
 def _sentence(kind: type, error: Any, section: str, source: str) -> str:
     name = str(error["loc"][0]) if error["loc"] else ""
+    part: Any = get_type_hints(kind).get(name)
+    if len(error["loc"]) > 1 and hasattr(part, "_fields"):
+        return _sentence(part, {**error, "loc": error["loc"][1:]}, _dotted(section, name), source)
     where = f"({source}, [{section}])" if section else f"({source})"
     field = _dotted(section, name)
-    quantity = _quantity(kind, name)
+    quantity = quantity_of(kind, name)
     unit = f" {quantity.unit}" if quantity and quantity.unit else ""
     meaning = f": {quantity.meaning}" if quantity else ""
     got, problem = error["input"], error["type"]

@@ -7,9 +7,9 @@ or another steering programme takes its place without touching the dynamics.
 """
 
 import hashlib
-import inspect
 import tempfile
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
@@ -51,8 +51,8 @@ def cache_folder() -> Path:
 
 
 _formulas: list[Any] = []
-_strangers: set[Path] = set()
-"""Files outside the package that hold formulas: those of a user."""
+_strangers: dict[str, bytes] = {}
+"""Files outside the package that hold formulas, those of a user, or cells of a notebook."""
 
 
 def compiled(function: F) -> F:
@@ -60,26 +60,29 @@ def compiled(function: F) -> F:
     machine_code: Any = njit(**OPTIONS)(function)
     if machine_code is not function:  # numba can be told to leave everything Python
         _formulas.append(machine_code)
-        _keep([machine_code])
+        code = function.__code__
+        source = Path(code.co_filename)
+        if PACKAGE in source.parents or code.co_filename in _strangers:
+            _keep([machine_code])
+        else:  # from now on nothing is kept where processes without this file would find it
+            cell = code.co_code + repr(code.co_consts).encode()
+            name = code.co_filename if source.is_file() else f"{code.co_filename} {code.co_name}"
+            _strangers[name] = source.read_bytes() if source.is_file() else cell
+            _keep(_formulas)
     return machine_code  # type: ignore[no-any-return]
-
-
-def _know(stranger: Path) -> None:
-    """From now on nothing is kept where processes that do not know this file would find it."""
-    _strangers.add(stranger)
-    _keep(_formulas)
 
 
 def _keep(formulas: list[Any]) -> None:
     folder = cache_folder()
     if _strangers:
-        digest = hashlib.sha256(b"".join(file.read_bytes() for file in sorted(_strangers)))
+        digest = hashlib.sha256(b"".join(_strangers[name] for name in sorted(_strangers)))
         folder = folder.with_name(f"{folder.name}-{digest.hexdigest()[:16]}")
     settings: Any = numba.config
     elsewhere, settings.CACHE_DIR = settings.CACHE_DIR, str(folder)
     try:
         for formula in formulas:
-            formula.enable_caching()
+            with suppress(RuntimeError):  # typed in, not read from a file: never kept
+                formula.enable_caching()
     finally:
         settings.CACHE_DIR = elsewhere
 
@@ -99,9 +102,6 @@ class Law:
 
         def register(function: F) -> F:
             self.formulas[kind] = function
-            source = Path(inspect.unwrap(function).__code__.co_filename)
-            if source.is_file() and PACKAGE not in source.parents:
-                _know(source)
             return function
 
         return register

@@ -4,24 +4,35 @@ import tomllib
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_type_hints
 
 import numpy as np
 
 from kitemj.errors import InputError
-from kitemj.physics.aerodynamics import LinearAero, TableAero
+from kitemj.physics.aerodynamics import aero_law
 from kitemj.physics.checked import checked, in_radians, unknown_key
 from kitemj.physics.kite import Kite, Lines
 from kitemj.physics.parameters import Environment, Limits, Parameters, StickLimits
-from kitemj.physics.wind import Wind
+from kitemj.physics.wind import Wind, wind_law
+from kitemj.registry import Registry
 
 ROUNDING = 1e-12
 
 SETS = Path(__file__).parent / "sets"
-AERO_LAWS: dict[str, type[LinearAero] | type[TableAero]] = {
-    "linear": LinearAero,
-    "table": TableAero,
-}
+AERO_LAWS: Registry[type[Any]] = Registry(
+    "aerodynamic law",
+    "kitemj.aero_laws",
+    {
+        "linear": "kitemj.physics.aerodynamics:LinearAero",
+        "table": "kitemj.physics.aerodynamics:TableAero",
+    },
+)
+WINDS: Registry[type[Any]] = Registry("wind", "kitemj.winds", {"power": "kitemj.physics.wind:Wind"})
+LAWS = {"aero": AERO_LAWS, "wind": WINDS}
+"""Sections whose `law` says which type of numbers they hold; the first is meant where none is."""
+FORMULAS = {"aero": aero_law, "wind": wind_law}
+NEEDED = {"aero": (), "wind": ("speed", "azimuth")}
+"""Fields that each type of the section must have."""
 SECTIONS = {
     "kite": Kite,
     "lines": Lines,
@@ -66,37 +77,100 @@ def parameter_set(
     base = _named_set(name)
     changes = dict(overrides or {})
     for section in changes:
-        if section != "aero" and section not in SECTIONS:
+        if section not in Parameters._fields:
             raise unknown_key(section, ["aero", *SECTIONS], "", source)
-    tables = {
-        section: {**base[section], **_table(changes.get(section, {}), section, source)}
-        for section in SECTIONS
+    parts = {
+        section: _part(section, base[section], changes.get(section, {}), source)
+        for section in Parameters._fields
     }
-    parts: dict[str, Any] = {
-        section: checked(kind, tables[section], section, source)
-        for section, kind in SECTIONS.items()
-    }
-    parameters = Parameters(aero=_aero(base["aero"], changes.get("aero", {}), source), **parts)
+    parameters = Parameters(**parts)
     _check_together(parameters, source)
     return parameters
 
 
-def _table(value: Any, section: str, source: str) -> dict[str, Any]:
-    if not isinstance(value, Mapping):
-        raise InputError(f"{section} must be a table of named values, got {value!r} ({source})")
-    return in_radians(value, section, source)
+def parameter_tables(parameters: Parameters) -> dict[str, dict[str, Any]]:
+    """The tables that `parameter_set` makes `parameters` of, angles in rad.
+
+    Raises InputError for a law that has no name.
+    """
+    tables = {}
+    for section, part in parameters._asdict().items():
+        tables[section] = _table_of(part)
+        if section in LAWS and not isinstance(part, Wind):  # files of old do not name that one
+            law = LAWS[section].name_of(type(part))
+            tables[section] = {"law": law, **tables[section]}
+    return tables
 
 
-def _aero(base: Mapping[str, Any], changes: Any, source: str) -> LinearAero | TableAero:
-    changes = _table(changes, "aero", source)
-    law = changes.get("law", base["law"])
-    if law not in AERO_LAWS:
+def field_names(kind: type[Any]) -> list[str]:
+    """The fields of a section, those of a ``NamedTuple`` in it as ``name.field``."""
+    names = []
+    for name, hint in get_type_hints(kind).items():
+        inner = field_names(hint) if hasattr(hint, "_fields") else [""]
+        names += [f"{name}.{each}".removesuffix(".") for each in inner]
+    return names
+
+
+def _table_of(part: Any) -> Any:
+    if not hasattr(part, "_fields"):
+        return part
+    return {name: _table_of(value) for name, value in part._asdict().items()}
+
+
+def _part(section: str, base: Mapping[str, Any], changes: Any, source: str) -> Any:
+    """The section's numbers: those of the set, and over them those of `changes`."""
+    if not isinstance(changes, Mapping):
+        raise InputError(f"{section} must be a table of named values, got {changes!r} ({source})")
+    changes = in_radians(changes, section, source)
+    if section not in LAWS:
+        return checked(SECTIONS[section], {**base, **changes}, section, source)
+    usual = base.get("law", next(iter(LAWS[section].shipped)))
+    law = changes.get("law", usual)
+    kind = _kind(section, law, source)
+    if law != usual:
+        base = _shared(base, LAWS[section][usual], kind)
+    numbers = {name: value for name, value in _over(base, changes).items() if name != "law"}
+    return checked(kind, numbers, section, source)
+
+
+def _kind(section: str, law: Any, source: str) -> type[Any]:
+    """The type that the law's numbers have; InputError where it cannot be used."""
+    registry = LAWS[section]
+    if not isinstance(law, str) or law not in registry:
         raise InputError(
-            f"aero.law must be one of {', '.join(AERO_LAWS)}, got {law!r} ({source}, [aero])"
+            f"{section}.law must be one of {', '.join(registry)}, got {law!r} "
+            f"({source}, [{section}])"
         )
-    merged = {**base, **changes} if law == base["law"] else changes
-    numbers = {key: value for key, value in merged.items() if key != "law"}
-    return checked(AERO_LAWS[law], numbers, "aero", source)
+    kind = registry[law]
+    lacks = [name for name in NEEDED[section] if name not in getattr(kind, "_fields", ())]
+    if lacks or kind not in FORMULAS[section].formulas:
+        what = f"no field {lacks[0]}" if lacks else "no formula"
+        raise InputError(f"the {registry.kind} {law!r} has {what}: see its module's manual")
+    return kind
+
+
+def _shared(base: Mapping[str, Any], usual: type[Any], kind: type[Any]) -> dict[str, Any]:
+    """Of the set's numbers for the law `usual` those that the law `kind` has too.
+
+    By their names, or all of them as a field of the type `usual`.
+    """
+    numbers = {name: value for name, value in base.items() if name != "law"}
+    hints = get_type_hints(kind).items()
+    return {
+        name: numbers if hint is usual else numbers[name]
+        for name, hint in hints
+        if hint is usual or name in numbers
+    }
+
+
+def _over(base: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """`base` with each value of `changes` in place of its own; tables within, too."""
+    both = dict(base)
+    for name, value in changes.items():
+        under: Any = both.get(name)
+        nested = isinstance(value, Mapping) and isinstance(under, Mapping)
+        both[name] = _over(under, value) if nested else value
+    return both
 
 
 def _check_together(parameters: Parameters, source: str) -> None:

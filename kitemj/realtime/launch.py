@@ -5,6 +5,8 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Any, NamedTuple
 
+from kitemj.registry import own_modules, use
+
 
 class Launched(NamedTuple):
     """A process that waits for a `Setup` through `link`, and tells its news in the queue `told`."""
@@ -19,14 +21,18 @@ def launch() -> Launched:
     context = get_context("spawn")
     link, theirs = context.Pipe()
     told = context.Queue()
-    process = context.Process(target=_run, args=(theirs, told), name="physics", daemon=True)
+    process = context.Process(
+        target=_run, args=(theirs, told, own_modules()), name="physics", daemon=True
+    )
     process.start()
     theirs.close()
     return Launched(process, link, told)
 
 
-def _run(link: Connection, told: Any) -> None:
+def _run(link: Connection, told: Any, modules: tuple[str, ...]) -> None:
     from kitemj.dynamics import lagrange_kite, mujoco_kite  # noqa: F401  while nobody waits yet
     from kitemj.realtime.worker import fly
 
+    for module in modules:
+        use(module)
     fly(link, told)

@@ -2,18 +2,20 @@
 
 import json
 import platform
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from datetime import datetime
 from importlib.metadata import version
 from typing import Any
 
+from kitemj.dynamics.formulation import MODELS
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK, LiveFlight
 from kitemj.physics.compiled import cache_folder
 from kitemj.physics.frames import Angles
-from kitemj.physics.parameter_files import AERO_LAWS, SECTIONS, parameter_set
+from kitemj.physics.parameter_files import LAWS, parameter_set, parameter_tables
 from kitemj.physics.parameters import Parameters
+from kitemj.registry import Registry
 
 FORMAT = 2
 """Rises when an older kitemj could no longer read what is written, or the other way round."""
@@ -26,8 +28,9 @@ PACKAGES = ("kitemj", "mujoco", "numba", "llvmlite", "numpy", "ruckig")
 class Header:
     """Model, reference, their longest `step` [s], the `tick` [s], parameters and starts.
 
-    `versions` of the packages, of Python and of the machine; `seeds` by name (nothing in a
-    flight is random so far). Floats survive the way through JSON to the last bit.
+    `versions` of the packages, of Python, of the machine, and of who brought a law or a model
+    that is not ours; `seeds` by name (nothing in a flight is random so far). Floats survive the
+    way through JSON to the last bit.
     """
 
     scenario: str
@@ -49,12 +52,36 @@ class Header:
 
     def checked_parameters(self, source: str) -> Parameters:
         """The parameter set; InputError, which names `source`, where it is none."""
+        for registry, law in self._named():
+            if registry is not MODELS:
+                self.check(registry, law, source)
         return parameter_set("laksa", self.parameters, source)
+
+    def check(self, registry: Registry[Any], name: str, source: str) -> None:
+        """Raises InputError for a law or a model of this flight that is not known here."""
+        if name not in registry:
+            whose = self.versions.get(f"{registry.kind} {name}", "somebody else")
+            raise InputError(
+                f"{source} was flown with the {registry.kind} {name!r} of {whose}: install the "
+                f"package, or use the module, that adds it"
+            )
+
+    def present_versions(self) -> dict[str, str]:
+        """As `versions`, but of what is here."""
+        named = self._named()
+        brought = {f"{each.kind} {name}": each.origin(name) for each, name in named if name in each}
+        return present_versions() | {name: whose for name, whose in brought.items() if whose}
+
+    def _named(self) -> list[tuple[Registry[Any], str]]:
+        """What was flown with by its name, and where that is looked up; nothing is imported."""
+        laws = [(LAWS[section], self.parameters[section].get("law")) for section in LAWS]
+        models = [(MODELS, self.model), (MODELS, self.reference)]
+        return [(registry, name) for registry, name in (*laws, *models) if name]
 
 
 def header_of(flight: LiveFlight) -> Header:
     """The header of a live flight that is about to begin."""
-    return Header(
+    header = Header(
         scenario=flight.scenario.source,
         model=flight.kite.name,
         reference=flight.reference.name,
@@ -62,8 +89,9 @@ def header_of(flight: LiveFlight) -> Header:
         parameters=parameter_tables(flight.parameters),
         starts=[[list(start.q), list(start.q_dot)] for start in flight.starts],
         written=datetime.now().astimezone().isoformat(timespec="seconds"),
-        versions=present_versions(),
+        versions={},
     )
+    return replace(header, versions=header.present_versions())
 
 
 def present_versions() -> dict[str, str]:
@@ -71,13 +99,6 @@ def present_versions() -> dict[str, str]:
     formulas = cache_folder().name.rpartition("-")[2]
     machine = {"python": platform.python_version(), "machine": platform.machine()}
     return {name: version(name) for name in PACKAGES} | {"formulas": formulas} | machine
-
-
-def parameter_tables(parameters: Parameters) -> dict[str, Any]:
-    """A parameter set as the tables of a scenario file, angles in rad."""
-    tables: dict[str, Any] = {name: getattr(parameters, name)._asdict() for name in SECTIONS}
-    law = next(name for name, kind in AERO_LAWS.items() if isinstance(parameters.aero, kind))
-    return tables | {"aero": {"law": law, **parameters.aero._asdict()}}
 
 
 def to_json(header: Header) -> bytes:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.dynamics.formulation import make_model
+from kitemj.dynamics.formulation import MODELS, make_model
 from kitemj.errors import FlightError
 from kitemj.physics.steering import Control, Segment
 from kitemj.recording.file import Recording
@@ -69,8 +69,10 @@ class Replay:
 def replay(recording: Recording, model: str, step: float | None = None) -> Replay:
     """Flies every episode; `step` [s] is that of the recording if left out.
 
-    Raises InputError for an unknown model or a step that cannot be.
+    Raises InputError for a model that is not known here, or a step that cannot be.
     """
+    if model == recording.header.model:
+        recording.header.check(MODELS, model, recording.path.name)
     step = step or recording.header.step
     columns = np.full((len(MOTION), len(recording)), np.nan)
     notes = []

@@ -5,9 +5,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.physics.parameter_files import parameter_set, set_names
+from kitemj.dynamics.formulation import MODELS
+from kitemj.errors import InputError
+from kitemj.physics.parameter_files import parameter_set, parameter_tables, set_names
 from kitemj.recording.file import Recording
-from kitemj.recording.header import parameter_tables, present_versions
+from kitemj.recording.header import Header
 from kitemj.recording.replay import Replay
 
 BROKEN_OFF = "unknown: the file breaks off (the program was stopped, or the disk was full)"
@@ -26,9 +28,13 @@ def summary(recording: Recording) -> str:
         ("seeds", seeds or "none: nothing in the flight is random"),
         ("versions", ", ".join(f"{name} {number}" for name, number in header.versions.items())),
     ]
-    changed = changed_versions(header.versions)
+    changed = changed_versions(header)
     if changed:
         lines.append(("", f"other than here ({changed}): a replay may differ in its last digits"))
+    try:
+        header.check(MODELS, header.model, recording.path.name)
+    except InputError as error:
+        lines.append(("", str(error)))
     lines.append(("held", f"{rows} ticks of {1e3 * header.tick:g} ms, {_count(recording)}"))
     for number, episode in enumerate(recording.episodes, start=1):
         lines += [(f"flight {number}", text) for text in _episode(recording, episode)]
@@ -53,9 +59,9 @@ def parameters_in_words(tables: dict[str, Any]) -> str:
     return nearest if not changes else f"{nearest} with {', '.join(changes)}"
 
 
-def changed_versions(versions: dict[str, str]) -> str:
-    """What is installed here in another version than that of the recording."""
-    here = present_versions()
+def changed_versions(header: Header) -> str:
+    """What is here in another version than that of the recording."""
+    versions, here = header.versions, header.present_versions()
     return ", ".join(f"{name} {here[name]}" for name in here if versions.get(name) != here[name])
 
 
@@ -102,6 +108,8 @@ def _timekeeping(recording: Recording) -> str:
 
 
 def _number(value: Any) -> str:
+    if isinstance(value, str):
+        return value
     return f"{value:g}" if isinstance(value, float) else "another table"
 
 
@@ -110,7 +118,7 @@ def comparison(again: Replay) -> str:
     recording, rows = again.recording, len(again.recording)
     lines = [f"flown again  {again.model}, steps of {1e3 * again.step:g} ms, {rows} ticks"]
     if again.model == recording.header.model and again.step == recording.header.step:
-        changed = changed_versions(recording.header.versions)
+        changed = changed_versions(recording.header)
         same = "identical to the last bit" if again.identical else "NOT identical"
         lines.append(f"replay       {same}{f' (here: {changed})' if changed else ''}")
     valid, comparable = again.valid, again.comparable

@@ -20,6 +20,7 @@ from kitemj.dynamics.formulation import make_model
 from kitemj.flight.limits import TOUCH, Ending
 from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.physics.parameters import Parameters
+from kitemj.registry import use
 from kitemj.studies.design import Point
 from kitemj.studies.study import Base, Settings
 
@@ -57,7 +58,9 @@ _warm: set[tuple[Any, ...]] = set()
 
 
 def fly_all(base: Base, flights: Sequence[tuple[int, Point]]) -> list[Row]:
-    """Flies each; returns a row for each flight."""
+    """A row for each flight."""
+    for module in base.modules:
+        use(module)
     return [fly(base, flight, point) for flight, point in flights]
 
 
@@ -106,7 +109,7 @@ def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:
 
 def _warm_up(tables: dict[str, Any], model: str, source: str) -> None:
     """Loads (or compiles) what the flight needs, so that its cost is that of flying."""
-    choices = (("steering", "programme"), ("aero", "law"))
+    choices = (("steering", "programme"), ("aero", "law"), ("wind", "law"))
     kind = (model, *(tables.get(section, {}).get(key) for section, key in choices))
     if kind not in _warm:
         scenario = scenario_of(tables, source)

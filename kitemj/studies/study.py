@@ -11,12 +11,12 @@ from typing import Annotated, Any, NamedTuple
 from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MODELS
 from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
-from kitemj.physics.aerodynamics import LinearAero, TableAero
 from kitemj.physics.checked import checked, unknown_key
 from kitemj.physics.compiled import cache_folder
-from kitemj.physics.parameter_files import SECTIONS, read_toml
+from kitemj.physics.parameter_files import LAWS, SECTIONS, field_names, read_toml
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.steering import Sines
+from kitemj.registry import own_modules
 from kitemj.studies.design import Design, Point, design_of
 
 VARIED = ("list", "grid", "hypercube")
@@ -36,25 +36,26 @@ class Settings(NamedTuple):
 
 
 class Base(NamedTuple):
-    """What the flights of a study have in common; goes to every worker. Tables as in TOML."""
+    """What the flights of a study have in common; goes to every worker. Tables as in TOML.
+
+    `modules` are those of a person's own that bring the laws and models of the study.
+    """
 
     source: str
     scenario: dict[str, Any]
     settings: dict[str, Any]
+    modules: tuple[str, ...] = ()
 
     def at(self, point: Point) -> tuple[dict[str, Any], Settings]:
         """The scenario's tables and the settings of one flight; InputError for bad settings."""
         tables, settings = deepcopy(self.scenario), dict(self.settings)
         for name, value in point.items():
-            section, _, field = name.partition(".")
-            if field:
-                table = tables.setdefault(section, {})
-                table.pop(_twin(field), None)
-                table[field] = value
-            elif section in Settings._fields:
-                settings[section] = value
-            else:
-                tables[section] = value
+            *sections, field = name.split(".")
+            table = settings if name in Settings._fields else tables
+            for section in sections:
+                table = table.setdefault(section, {})
+            table.pop(_twin(field), None)
+            table[field] = value
         return tables, _settings(settings, self.source)
 
 
@@ -84,7 +85,7 @@ def read_study(path: Path) -> Study:
         raise InputError(f"scenario must be the name of a file or a table ({source})")
     settings = {name: tables[name] for name in Settings._fields if name in tables}
     study = Study(
-        Base(source, scenario, settings),
+        Base(source, scenario, settings, own_modules()),
         design_of({name: tables[name] for name in VARIED if name in tables}, source),
         _digest(scenario, tables),
     )
@@ -96,6 +97,8 @@ def read_study(path: Path) -> Study:
 
 def _digest(*parts: Any) -> str:
     text = json.dumps([*parts, cache_folder().name], sort_keys=True, default=str)
+    for registry in (*LAWS.values(), MODELS):  # whose a formula is that the study names
+        text += "".join(registry.origin(name) for name in registry if f'"{name}"' in text)
     return hashlib.sha256(text.encode()).hexdigest()
 
 
@@ -117,12 +120,14 @@ def _twin(field: str) -> str:
 def _check_name(name: str, source: str) -> None:
     """Raises InputError for what no scenario and no setting is called."""
     section, dot, field = name.partition(".")
-    kinds: dict[str, Any] = SECTIONS
-    sections: dict[str, tuple[str, ...]] = {
-        "aero": ("law", *LinearAero._fields, *TableAero._fields),
-        "steering": ("programme", *Sines._fields, *SteeringTable._fields),
-        "start": ("at", *Offsets._fields),
-        **{key: kind._fields for key, kind in kinds.items()},
+    sections: dict[str, list[str]] = {
+        "steering": ["programme", *Sines._fields, *SteeringTable._fields],
+        "start": ["at", *Offsets._fields],
+        **{key: field_names(kind) for key, kind in SECTIONS.items()},
+        **{
+            key: ["law", *(each for law in registry for each in field_names(registry[law]))]
+            for key, registry in LAWS.items()
+        },
     }
     whole = ["set", *Times._fields, *Settings._fields]
     if not dot and section not in (*whole, *sections):
