@@ -101,7 +101,7 @@ GROUND = Limit(
 )
 TWIST = Limit(
     "twist",
-    "the lines are twisted too far to slide on one another",
+    "the lines are twisted too far to slide",
     lambda limits, now: abs(now.twist) <= limits.twist_max,
     lambda limits, now: f"{abs(now.twist) / tau:.1f} turns of {limits.twist_max / tau:g}",
     lambda limits, now: abs(now.twist) / limits.twist_max,
