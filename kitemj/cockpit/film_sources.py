@@ -60,7 +60,7 @@ class ScenarioSource:
             delta_command=motion.control.delta,
             stick="programme",
             speed=speed,
-            message=departure.ending.value if departure else "",
+            message=departure.limit.sentence if departure else "",
         )
         return Shot(motion, reference, readings)
 

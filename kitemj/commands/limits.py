@@ -36,6 +36,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.flight.limits import left_limits
     from kitemj.plots.figure_files import save_figures
     from kitemj.plots.limits import Extremes, extremes, limits_figure
     from kitemj.plots.sources import read_flight
@@ -47,12 +48,7 @@ def run(args: argparse.Namespace) -> int:
     for note in notes:
         print(note)
     print_table(Table(f"limits: {flight.name}", Extremes._fields, [_worded(row) for row in rows]))
-    departure = flight.departure
-    print(
-        f"left the limits of validity at {departure}"
-        if departure
-        else "within all limits of validity throughout"
-    )
+    print(left_limits(flight.departure))
     if args.output:
         write(args.output, [Table("limits", Extremes._fields, rows)], {}, args.overwrite)
     if args.save:

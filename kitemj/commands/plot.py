@@ -73,6 +73,7 @@ def add_save(parser: Parser, says: str) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.flight.limits import left_limits
     from kitemj.plots.figure_files import check_figures, save_figures
     from kitemj.plots.figures import drawn
     from kitemj.plots.sources import read_flight
@@ -88,7 +89,7 @@ def run(args: argparse.Namespace) -> int:
     for note in notes + lacking:
         print(note)
     if flight.departure:
-        print(f"left the limits of validity at {flight.departure}")
+        print(left_limits(flight.departure))
     if args.save:
         for path in save_figures(figures, args.save, args.overwrite):
             print(path)

@@ -26,7 +26,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.files import check_new
-    from kitemj.flight.limits import Ending
+    from kitemj.flight.limits import Ending, left_limits
     from kitemj.flight.motion_table import write_csv
     from kitemj.flight.scenario import read_scenario
     from kitemj.flight.simulate import simulate
@@ -36,7 +36,7 @@ def run(args: argparse.Namespace) -> int:
     write_csv(args.output, flight.motions, args.overwrite)
     print(f"{args.output}: {len(flight.motions)} rows, {flight.model}; {flight.ending.value}")
     if flight.departure:
-        print(f"left the limits of validity at {flight.departure}")
+        print(left_limits(flight.departure))
     if flight.ending is Ending.DIVERGED:
         print(f"kitemj: {flight.note}", file=sys.stderr)
         return 1

@@ -7,51 +7,41 @@ import pygame
 from kitemj.drawing.panel import ALARM, CALL, INK, NOW, QUIET, RECENT, WHITE
 from kitemj.drawing.text import Colour, put, width, wrapped
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.limits import Ending, departure_at, touches_ground
+from kitemj.flight.limits import LIMITS, Departure, departure_at
 from kitemj.physics.parameters import Parameters
 
 HELD = 6.0
 """s; how long the reason stays on the screen after the flight is back within its limits."""
 
 INSTRUMENT = {
-    "SLACK": "lines",
-    "CEILING": "lines",
-    "STALL": "air",
-    "SIDESLIP": "air",
-    "GROUND": "flight",
+    "ground": "flight",
+    "slack": "lines",
+    "stall": "air",
+    "sideslip": "air",
+    "overload": "lines",
+    "twist": "model",
 }
 """The instrument that shows each limit."""
 
 LEADING = 17  # px of 720 rows between lines of the banner
-OVER = "a line pulls more than it may carry"
 
 
 class Alarm(NamedTuple):
-    """A limit that is or was crossed: its name, the numbers, the sentence; `age` [s] since."""
+    """A limit that is or was crossed, `age` [s] ago."""
 
-    limit: str
-    reading: str
-    sentence: str
+    departure: Departure
     age: float = 0.0
 
 
-def alarm_at(parameters: Parameters, motion: Motion) -> Alarm | None:
-    """The gravest limit that is crossed at this time; None: none is."""
-    ceiling, tension = parameters.limits.tension_max, max(motion.tensions)
-    if touches_ground(parameters, motion):
-        reading = f"{motion.air.speed:.0f} m/s of air"
-        return Alarm(Ending.GROUND.name, reading, Ending.GROUND.value)
-    departure = departure_at(parameters, motion)
-    if departure:
-        return Alarm(departure.ending.name, departure.reading, departure.ending.value)
-    if tension > ceiling:
-        return Alarm("CEILING", f"{tension:.0f} N of {ceiling:.0f} N", OVER)
-    return None
+def alarm_at(parameters: Parameters, motion: Motion, twist: float = 0.0) -> Alarm | None:
+    """The gravest limit that is crossed at this instant; `twist` [rad] of the lines."""
+    departure = departure_at(parameters, motion, LIMITS, twist)
+    return Alarm(departure) if departure else None
 
 
 def loudness(alarm: Alarm | None, instrument: str) -> int:
     """How an instrument is to be painted: QUIET, RECENT or NOW."""
-    if alarm is None or alarm.age > HELD or INSTRUMENT.get(alarm.limit) != instrument:
+    if alarm is None or alarm.age > HELD or INSTRUMENT[alarm.departure.limit.name] != instrument:
         return QUIET
     return NOW if alarm.age == 0.0 else RECENT
 
@@ -79,14 +69,15 @@ def paint_banner(
     def say(text: str, size: float, colour: Colour, field: Colour) -> None:
         lines.extend((part, size, colour, field) for part in wrapped(text, inner, size * unit))
 
-    if message and not (alarm and message == alarm.sentence):
+    if message and not (alarm and message == alarm.departure.limit.sentence):
         say(message, 20, CALL, INK)
     if alarm and alarm.age <= HELD:
         now = alarm.age == 0.0
         colour, field = (WHITE, ALARM) if now else (CALL, INK)
         ago = "" if now else f"{max(round(alarm.age), 1)} s ago: "
-        say(f"{alarm.limit}: {alarm.reading}", 23, colour, field)
-        say(ago + alarm.sentence, 18, colour, field)
+        _, limit, reading = alarm.departure
+        say(f"{limit.name.upper()}: {reading}", 23, colour, field)
+        say(ago + limit.sentence, 18, colour, field)
     wide = max((width(text, size * unit) for text, size, _, _ in lines), default=0) + 24 * unit
     tall = sum(size + LEADING for _, size, _, _ in lines) * unit
     whole = pygame.Rect(0, 0, round(wide) if lines else 0, round(tall))

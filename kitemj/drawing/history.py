@@ -59,13 +59,13 @@ class History:
         """Adds a tick that was done `lateness` [s] late, or, where no clock is kept, a frame."""
         if lateness is not None:
             self._lateness.add(now, lateness)
-        alarm = alarm_at(self._parameters, motion)
-        if alarm:
-            self._alarm = (now, alarm)
         while self._points and self._points[-1].t >= motion.t:  # the flight went back
             self._points.pop()
         if not self._points or motion.t - self._points[-1].t > TRAIL_STEP - 1e-6:
             self._extend(motion)
+        alarm = alarm_at(self._parameters, motion, self._points[-1].twist)
+        if alarm:
+            self._alarm = (now, alarm)
 
     def add_frame(self, now: float, duration: float) -> None:
         """Adds a frame that took `duration` [s]; may be called by another thread than `add`."""

@@ -35,6 +35,7 @@ from kitemj.drawing.tensions import paint_tensions
 from kitemj.drawing.text import width
 from kitemj.drawing.wind_window import WindWindow, bearing
 from kitemj.dynamics.motion import Motion
+from kitemj.flight.limits import SIDESLIP, STALL, TWIST, Numbers
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import norm
 from kitemj.physics.wind import wind_velocity
@@ -70,7 +71,8 @@ class Instruments:
         From `near` the kite is low in the frame, else high: the banner is where it is not.
         """
         names, traces = self._on(readings, shown), readings.traces
-        alarm = alarm_at(self.parameters, motion) or (traces.alarm if traces else None)
+        twist = traces.twist if traces else 0.0
+        alarm = alarm_at(self.parameters, motion, twist) or (traces.alarm if traces else None)
         # the panel that alarms comes last, so that its frame lies over its neighbours
         for name in sorted(names, key=lambda name: loudness(alarm, name)):
             self._paint_panel(name, surface, motion, readings, loudness(alarm, name))
@@ -134,18 +136,9 @@ class Instruments:
         }
 
     def _paint_panel(
-        self,
-        name: str,
-        surface: pygame.Surface,
-        motion: Motion,
-        readings: Readings,
-        alarm: int,
+        self, name: str, surface: pygame.Surface, motion: Motion, readings: Readings, alarm: int
     ) -> None:
-        panel, p, traces = (
-            Panel(surface, self._boxes[name], self.u),
-            self.parameters,
-            readings.traces,
-        )
+        panel, traces = Panel(surface, self._boxes[name], self.u), readings.traces
         if name == "window":
             self._window.paint(panel, motion, traces.trail if traces else NO_TRAIL)
             return
@@ -158,13 +151,12 @@ class Instruments:
         elif name == "air":
             self._air(panel, motion, alarm)
         elif name == "lines":
-            paint_tensions(panel, p, motion, alarm)
+            paint_tensions(panel, self.parameters, motion, alarm)
         elif name == "knob":
-            paint_knob(
-                panel, motion.control.delta, readings.delta_command, p.stick.delta, readings.law
-            )
+            wish, most = readings.delta_command, self.parameters.stick.delta
+            paint_knob(panel, motion.control.delta, wish, most, readings.law)
         else:
-            _model(panel, readings)
+            self._model(panel, readings, alarm)
 
     def _flight(self, panel: Panel, motion: Motion, readings: Readings, alarm: int) -> None:
         azimuth, elevation = bearing(self.parameters, motion.body.p_G_E)
@@ -187,21 +179,39 @@ class Instruments:
         """Paints α and β as marks between their limits."""
         limits, air = self.parameters.limits, motion.air
         rows = (
-            ("α", air.alpha, limits.alpha_stall, not 0 < air.alpha < limits.alpha_stall),
-            ("β", air.beta, limits.beta_max, not abs(air.beta) < limits.beta_max),
+            ("α", air.alpha, limits.alpha_stall, STALL),
+            ("β", air.beta, limits.beta_max, SIDESLIP),
         )
         left, wide = 14.0, panel.width - 28
-        for i, (name, angle, limit, beyond) in enumerate(rows):
+        for i, (name, angle, most, limit) in enumerate(rows):
             row, middle = 26 + 64 * i, left + wide / 2
+            beyond = not limit.kept(limits, Numbers((), *air))
             panel.text(name, left, row, NUMBER, WHITE if alarm == NOW else DIM)
             size, colour = (LARGE - 2, CALL) if beyond else (NUMBER, WHITE)
             panel.text(f"{degrees(angle):.1f}°", 162, row, size, colour, 1)
-            panel.text(f"max {degrees(limit):.0f}°", panel.width - 14, row, align=1)
+            panel.text(f"max {degrees(most):.0f}°", panel.width - 14, row, align=1)
             panel.bar(left, row + 22, wide, 11, TROUGH)
-            share = min(max(angle / limit, -1.0), 1.0)
+            share = min(max(angle / most, -1.0), 1.0)
             start, end = sorted((middle, middle + share * wide / 2))
             panel.bar(start, row + 22, max(end - start, 3), 11, CALL if beyond else GOOD)
             panel.bar(middle - 1, row + 19, 2, 17, WHITE)
+
+    def _model(self, panel: Panel, readings: Readings, alarm: int) -> None:
+        """Paints the model, who steers, how far the reference is, how the lines are twisted."""
+        right, name = panel.width - MARGIN, WHITE if alarm == NOW else DIM
+        panel.text(readings.model, 24, 24, NUMBER, WHITE)
+        if readings.stick:
+            panel.text(readings.stick, right, 24, colour=name, align=1)
+        panel.text("to reference", 24, 60, colour=name)
+        gap = "none" if readings.gap is None else _length(readings.gap)
+        panel.text(gap, right, 60, NUMBER, WHITE, 1)
+        panel.text("line twist", 24, 96, colour=name)
+        twist = readings.traces.twist if readings.traces else 0.0
+        turns = round(degrees(twist) / 360)
+        size, colour = NUMBER, (RIGHT if turns > 0 else LEFT) if turns else WHITE
+        if not TWIST.kept(self.parameters.limits, Numbers(twist=twist)):
+            size, colour = LARGE, CALL
+        panel.text(_turns(turns), right, 96, size, colour, 1)
 
     def legend(self, surface: pygame.Surface) -> None:
         """Paints what the arrows at the kite mean, above the strip along the bottom."""
@@ -220,21 +230,6 @@ class Instruments:
         """The wind's speed where the kite is."""
         v_E = wind_velocity(self.parameters.wind, motion.body.p_G_E, motion.t)
         return f"WIND {norm(v_E):.1f} m/s"
-
-
-def _model(panel: Panel, readings: Readings) -> None:
-    """Paints which model flies, who steers, how far the reference is, how the lines are twisted."""
-    right = panel.width - MARGIN
-    panel.text(readings.model, 24, 24, NUMBER, WHITE)
-    if readings.stick:
-        panel.text(readings.stick, right, 24, align=1)
-    panel.text("to reference", 24, 60)
-    gap = "none" if readings.gap is None else _length(readings.gap)
-    panel.text(gap, right, 60, NUMBER, WHITE, 1)
-    panel.text("line twist", 24, 96)
-    turns = round(degrees(readings.traces.twist) / 360) if readings.traces else 0
-    colour = (RIGHT if turns > 0 else LEFT) if turns else WHITE
-    panel.text(_turns(turns), right, 96, NUMBER, colour, 1)
 
 
 def _turns(turns: int) -> str:

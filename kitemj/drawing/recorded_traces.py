@@ -12,6 +12,7 @@ from kitemj.drawing.history import (
     Traces,
     twist_angle,
 )
+from kitemj.flight.limits import TWIST, Numbers
 from kitemj.recording.file import Recording
 from kitemj.recording.table import LIMITS
 from kitemj.recording.track import Track
@@ -31,22 +32,22 @@ class RecordedTraces:
         self._every = max(1, round(TRAIL_STEP / tick))
         self._looks = max(1, round(TWIST_STEP / tick))
         self._starts = np.array([episode.start for episode in recording.episodes])
-        self._twists = [self._twists_of(episode) for episode in recording.episodes]
+        self._twist = np.concatenate([self._twists(episode) for episode in recording.episodes])
+        self._beyond |= ~TWIST.kept(recording.parameters.limits, Numbers(twist=self._twist))
 
     def at(self, row: int) -> Traces:
         """The traces to be shown at `row`."""
-        episode = int(np.searchsorted(self._starts, row, side="right")) - 1
-        start = int(self._starts[episode])
+        start = int(self._starts[np.searchsorted(self._starts, row, side="right") - 1])
         first = max(start, row - self._every * (TRAIL_POINTS - 1))
         trail = self._places[row : first - 1 if first else None : -self._every][::-1].copy()
-        twist = float(self._twists[episode][(row - start) // self._looks])
-        alarm = None
+        twist, alarm = float(self._twist[row]), None
         recent = np.flatnonzero(
             self._beyond[max(0, row - round(HELD / self._tick)) : row + 1][::-1]
         )
         if len(recent):
-            motion = self._track.motion(row - int(recent[0]))
-            found = alarm_at(self._recording.parameters, motion) if motion else None
+            last = row - int(recent[0])
+            motion, turned = self._track.motion(last), float(self._twist[last])
+            found = alarm_at(self._recording.parameters, motion, turned) if motion else None
             alarm = found._replace(age=int(recent[0]) * self._tick) if found else None
         unseen = np.full(CHART_COLUMNS, np.nan)
         return Traces(trail, twist, self._lateness(row), unseen, alarm)
@@ -60,8 +61,9 @@ class RecordedTraces:
         parts = values.reshape(CHART_COLUMNS, share)
         return np.asarray(np.fmax.reduce(parts, axis=1))
 
-    def _twists_of(self, episode: slice) -> NDArray[np.float64]:
+    def _twists(self, episode: slice) -> NDArray[np.float64]:
+        """The twist [rad] at each row of the episode, as it was when last looked at."""
         rows = range(episode.start, episode.stop, self._looks)
         motions = [self._track.motion(row) for row in rows]
         angles = [twist_angle(self._track.parameters, motion) for motion in motions if motion]
-        return np.asarray(np.unwrap(angles))
+        return np.repeat(np.unwrap(angles), self._looks)[: episode.stop - episode.start]

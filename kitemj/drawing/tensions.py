@@ -20,24 +20,27 @@ from kitemj.drawing.panel import (
     Panel,
 )
 from kitemj.dynamics.motion import Motion
+from kitemj.flight.limits import OVERLOAD, SLACK, Numbers
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import norm
 
 BAR = 74.0  # where it begins
 ROOM = 206.0  # how long it is
-SLACK = 1e-3  # m that a line is longer than its distance
+HANGS = 1e-3  # m that a line is longer than its distance
 
 
 def paint_tensions(panel: Panel, parameters: Parameters, motion: Motion, alarm: int) -> None:
     """Paints the panel of tensions."""
-    ceiling = parameters.limits.tension_max
+    limits, ceiling = parameters.limits, parameters.limits.tension_max
     panel.text("LINES", 12, 20)
     panel.text(f"{ceiling / 4:.0f}", BAR + ROOM / 2, 20, align=0.5)
     panel.text(f"max {ceiling:.0f} N", BAR + ROOM - 44, 20)
     for i, (name, colour) in enumerate((("left", LEFT), ("right", RIGHT))):
         row, line = 52 + 40 * i, motion.lines[i]
         tension, hangs = line.tension_kite, line.length - norm(line.points[-1])
-        slack, over = tension <= 0.0 or hangs > SLACK, tension > ceiling
+        now = Numbers((tension,))
+        slack = hangs > HANGS or not SLACK.kept(limits, now)
+        over = not OVERLOAD.kept(limits, now)
         wrong = alarm == NOW and (slack or over)
         panel.text(name, 12, row, colour=WHITE if alarm == NOW else colour)
         panel.bar(BAR, row - 13, ROOM, 26, TROUGH)
@@ -51,10 +54,5 @@ def paint_tensions(panel: Panel, parameters: Parameters, motion: Motion, alarm: 
             tall = 32 if quarter == 4 else 8
             panel.bar(BAR + quarter / 4 * ROOM - 1, row + 16 - tall, 2, tall, WHITE)
         value = f"{tension:.1f} N" if abs(tension) < 99.95 else f"{tension:.0f} N"
-        panel.text(
-            value, panel.width - 10, row, LARGE - 2 if wrong else NUMBER, _shade(slack, over), 1
-        )
-
-
-def _shade(slack: bool, over: bool) -> tuple[int, int, int]:
-    return CALL if slack or over else WHITE
+        colour = CALL if slack or over else WHITE
+        panel.text(value, panel.width - 10, row, LARGE - 2 if wrong else NUMBER, colour, 1)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from kitemj.dynamics.motion import HULL, Motion
 from kitemj.physics.compiled import compiled, law
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import Vector, plus, unrotated
+from kitemj.physics.vectors import Rotation, Vector, plus, unrotated
 
 Array = NDArray[np.float64]
 
@@ -37,15 +37,14 @@ present, present_law = law(_present)
 
 
 @compiled
-def clearance(parameters: Parameters, motion: Motion) -> float:
-    """Height [m] above ground of the lowest corner of the kite's hull."""
-    kite, body = parameters.kite, motion.body
+def clearance(chord: float, span: float, p_G_E: Vector, R_BE: Rotation) -> float:
+    """Height [m] above ground of the lowest corner of a hull of `chord` x `span` [m]."""
     lowest = np.inf
     for a in (-0.5, 0.5):
         for b in (-0.5, 0.5):
             for c in (-HULL, HULL):
-                corner_B = Vector(a * kite.chord, b * kite.span, c)
-                height = -plus(body.p_G_E, unrotated(body.R_BE, corner_B)).z
+                corner_B = Vector(a * chord, b * span, c)
+                height = -plus(p_G_E, unrotated(R_BE, corner_B)).z
                 lowest = min(lowest, height)
     return lowest
 
@@ -58,7 +57,7 @@ def fill_rows(flight: Any, parameters: Parameters, times: Array, touch: float, r
     is the first that does not hold) or where the kite came lower than `touch` [m] (the last
     row that holds is there).
     """
-    t = 0.0
+    t, kite = 0.0, parameters.kite
     for i in range(len(times)):
         if times[i] > t:
             if carry(flight, t, times[i]) < times[i]:
@@ -70,7 +69,7 @@ def fill_rows(flight: Any, parameters: Parameters, times: Array, touch: float, r
         for k in range(len(motion.lines)):
             row[TENSIONS + k] = motion.lines[k].tension_kite
         row[ALPHA], row[BETA] = motion.air.alpha, motion.air.beta
-        row[CLEARANCE] = clearance(parameters, motion)
+        row[CLEARANCE] = clearance(kite.chord, kite.span, body.p_G_E, body.R_BE)
         if not (isfinite(row[X]) and isfinite(row[TENSIONS])):
             return i
         if row[CLEARANCE] < touch:

@@ -9,6 +9,7 @@ import numpy as np
 
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
+from kitemj.flight.limits import SLACK, first_departure
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import Simulation, simulate
 
@@ -77,9 +78,10 @@ def compare(flight: Simulation, reference: Simulation) -> Comparison:
 
     Raises InputError where a line is slack at once, so that nothing can be compared.
     """
-    pairs, rigid = [], flight.scenario.parameters.lines.rigid
+    pairs, parameters = [], flight.scenario.parameters
+    rigid = parameters.lines.rigid
     for a, b in zip(flight.motions, reference.motions, strict=False):
-        if min(*a.tensions, *b.tensions) <= 0.0 and not rigid:
+        if not rigid and first_departure(parameters, (a, b), (SLACK,)):
             break
         pairs.append((a, b))
     if not pairs:

@@ -8,11 +8,12 @@ of clocks or screens.
 from math import isfinite
 from typing import NamedTuple
 
+from kitemj.dynamics.batch import clearance
 from kitemj.dynamics.formulation import DEFAULT_STEP, make_model
 from kitemj.dynamics.motion import Motion, Snapshot, State
 from kitemj.errors import FlightError
 from kitemj.flight.compare import position_gap
-from kitemj.flight.limits import Departure, Ending, departure_at, touches_ground
+from kitemj.flight.limits import GROUND, SLACK, VALIDITY, Departure, departure_at
 from kitemj.flight.scenario import Scenario
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, Segment, control, rest_ell
@@ -130,16 +131,15 @@ class LiveFlight:
         """Compiles whatever a flight needs, then starts anew: no first tick may be late."""
         for _ in range(3):
             self.tick(Command(1.0))
+        clearance(1.0, 1.0, *self.result.motion.body[:2])  # else first called near the ground
         self.restart()
 
     def _result(self, wish: float) -> TickResult:
         motion = self.kite.motion(self.segment)
-        departure = departure_at(self.parameters, motion)
-        if touches_ground(self.parameters, motion):
-            departure = Departure(motion.t, Ending.GROUND, f"{motion.air.speed:.0f} m/s of air")
+        departure = departure_at(self.parameters, motion, (GROUND, *VALIDITY))
         # straight, rigid lines are what the reference is made of: beyond, it says nothing
-        parting = {Ending.GROUND} if self.parameters.lines.rigid else {Ending.GROUND, Ending.SLACK}
-        if departure and departure.ending in parting:
+        parting = (GROUND,) if self.parameters.lines.rigid else (GROUND, SLACK)
+        if departure and departure.limit in parting:
             self._following = False
         reference = self.reference.motion(self.segment) if self._following else None
         if reference is None or not isfinite(reference.body.p_G_E.x):

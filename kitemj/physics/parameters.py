@@ -5,6 +5,7 @@ happens where a set is made (`kitemj.physics.parameter_files`); the two named se
 ``kitemj/physics/sets/``.
 """
 
+from math import tau
 from typing import Annotated, NamedTuple
 
 from kitemj.physics.aerodynamics import LinearAero, TableAero
@@ -26,6 +27,8 @@ class Limits(NamedTuple):
     alpha_stall: Annotated[float, Quantity("rad", "largest angle of attack", gt=0)]
     beta_max: Annotated[float, Quantity("rad", "largest sideslip angle", gt=0)]
     tension_max: Annotated[float, Quantity("N", "what one line may carry", gt=0)]
+    twist_max: Annotated[float, Quantity("rad", "largest twist of the lines", gt=0)] = 5 * tau
+    """An estimate: polyethylene lines slide on one another with some turns of twist."""
 
 
 class StickLimits(NamedTuple):

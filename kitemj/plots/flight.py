@@ -8,27 +8,16 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
-from kitemj.flight.limits import touches_ground
+from kitemj.flight.limits import RECORDED, Departure, Numbers, departure_in, touches_ground
 from kitemj.flight.motion_table import COLUMNS
 from kitemj.flight.simulate import Simulation
 from kitemj.physics.parameters import Parameters
-from kitemj.recording.file import REASONS, Recording
-from kitemj.recording.table import LIMITS, MOTION, Columns, beyond, motion_row
+from kitemj.recording.file import Recording
+from kitemj.recording.table import MOTION, Columns, limit_numbers, motion_row
 
 Array = NDArray[np.float64]
 AIR_AND_LINES = ("alpha_deg", "beta_deg", "tension_plus_N", "tension_minus_N")
 """What the limits of validity are about."""
-
-
-class Departure(NamedTuple):
-    """The first moment [s] outside the limits of validity, and which of them, in words."""
-
-    t: float
-    reason: str
-
-    def __str__(self) -> str:
-        """The sentence: when and why."""
-        return f"{self.t:.2f} s: {self.reason}"
 
 
 class Flight(NamedTuple):
@@ -66,33 +55,26 @@ class Flight(NamedTuple):
         return np.column_stack([self.column(name, purpose) for name in names])
 
     @property
-    def beyond(self) -> dict[str, NDArray[np.bool_]]:
-        """By limit of validity, which rows are beyond it; empty where columns lack to tell."""
-        if not set(AIR_AND_LINES) <= set(self.columns):
-            return {}
-        known = {name: self.column(name, "the limits") for name in AIR_AND_LINES}
-        told = beyond(self.parameters, known)
-        if "ground" in self.columns:
-            told["ground"] = np.asarray(self.columns["ground"], np.bool_)
-        return {name: told[name] for name in LIMITS if name in told}
+    def numbers(self) -> Numbers:
+        """What limits are about; InputError where a column lacks."""
+        return limit_numbers(
+            {**self.columns, **{name: self.column(name, "the limits") for name in AIR_AND_LINES}}
+        )
 
     @property
     def any_beyond(self) -> NDArray[np.bool_]:
-        """Which rows are beyond any of them, shape (rows,)."""
-        beyond = np.zeros(len(self.t), np.bool_)
-        for rows in self.beyond.values():
-            beyond |= rows
-        return beyond
+        """Which rows are beyond any limit, shape (rows,); none where columns lack to tell."""
+        if not set(AIR_AND_LINES) <= set(self.columns):
+            return np.zeros(len(self.t), np.bool_)
+        limits, now = self.parameters.limits, self.numbers
+        return np.asarray(~np.logical_and.reduce([limit.kept(limits, now) for limit in RECORDED]))
 
     @property
     def departure(self) -> Departure | None:
         """The first departure; None: within all limits, or nothing is known of them."""
-        beyond = self.any_beyond
-        if not beyond.any():
+        if not self.any_beyond.any():
             return None
-        row = int(np.argmax(beyond))
-        reasons = [REASONS[name] for name, outside in self.beyond.items() if outside[row]]
-        return Departure(float(self.t[row]), " and ".join(reasons))
+        return departure_in(self.parameters.limits, self.t.tolist(), self.numbers, RECORDED)
 
     @property
     def parts(self) -> tuple[slice, slice]:
@@ -104,7 +86,7 @@ class Flight(NamedTuple):
     @property
     def down(self) -> int:
         """The row at which it touches the ground; the number of rows if it never does."""
-        touches = np.flatnonzero(self.beyond.get("ground", ()))
+        touches = np.flatnonzero(self.columns.get("ground", ()))
         return int(touches[0]) if len(touches) else len(self.t)
 
 

@@ -9,18 +9,11 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from kitemj.errors import InputError
+from kitemj.flight.limits import RECORDED, Departure, departure_in
 from kitemj.physics.parameters import Parameters
 from kitemj.recording.header import Header, from_json
 from kitemj.recording.recorder import ENDING_KEY, HEADER_KEY, SUFFIX
-from kitemj.recording.table import ALL, LIMITS, Columns
-
-REASONS = {
-    "slack": "a line went slack",
-    "stall": "the angle of attack left 0 < α < α_stall",
-    "sideslip": "the sideslip angle exceeded β_max",
-    "overload": "a line carried more than its ceiling",
-    "ground": "the kite touched the ground",
-}
+from kitemj.recording.table import ALL, Columns, limit_numbers
 
 
 @dataclass(frozen=True)
@@ -67,14 +60,12 @@ class Recording:
             rows[episode] = within[way >= episode.start]
         return rows
 
-    def departure(self, episode: slice) -> tuple[int, str] | None:
-        """Row and reason of the first departure of an episode; None: it stayed within limits."""
-        limits = np.stack([self.columns[name][episode] for name in LIMITS])
-        outside = np.flatnonzero(limits.any(axis=0))
-        if not len(outside):
-            return None
-        names = [name for i, name in enumerate(LIMITS) if limits[i, outside[0]]]
-        return int(episode.start + outside[0]), " and ".join(REASONS[name] for name in names)
+    def departure(self, episode: slice) -> Departure | None:
+        """The first departure of an episode; None: it stayed within limits."""
+        columns = {name: column[episode] for name, column in self.columns.items()}
+        return departure_in(
+            self.parameters.limits, columns["t_s"].tolist(), limit_numbers(columns), RECORDED
+        )
 
 
 def read_recording(path: Path) -> Recording:

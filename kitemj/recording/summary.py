@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.formulation import MODELS
 from kitemj.errors import InputError
+from kitemj.flight.limits import left_limits
 from kitemj.physics.parameter_files import parameter_set, parameter_tables, set_names
 from kitemj.recording.file import Recording
 from kitemj.recording.header import Header
@@ -81,17 +82,12 @@ def _episode(recording: Recording, episode: slice) -> list[str]:
     if followed.any():
         gap, until = np.nanmax(columns["gap_m"]), columns["t_s"][followed][-1]
         reference = f"at most {1e6 * gap:.3g} µm from the reference (followed to {until:.2f} s)"
-    departure = recording.departure(episode)
-    left = "within all limits of validity throughout"
-    if departure:
-        row, reason = departure
-        left = f"left the limits of validity at {recording.columns['t_s'][row]:.2f} s: {reason}"
     return [
         f"{columns['t_s'][-1]:.2f} s, {reference}",
         f"α {alpha.min():.2f}° to {alpha.max():.2f}° (0° to {np.degrees(limits.alpha_stall):g}°), "
         f"β {beta.min():.2f}° to {beta.max():.2f}° (±{np.degrees(limits.beta_max):g}°), lines "
         f"{pulls.min():.1f} N to {pulls.max():.1f} N (0 N to {limits.tension_max:g} N)",
-        left,
+        left_limits(recording.departure(episode)),
     ]
 
 

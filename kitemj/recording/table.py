@@ -6,14 +6,14 @@ holds the instant at the end of its tick; the steering is that of the tick which
 """
 
 from collections.abc import Mapping, Sequence
-from math import nan
+from math import inf, nan
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.limits import Ending
+from kitemj.flight.limits import GROUND, RECORDED, Numbers
 from kitemj.flight.live import Command, TickResult
 from kitemj.flight.motion_table import COLUMNS, row
 from kitemj.physics.parameters import Parameters
@@ -52,7 +52,7 @@ REFERENCE = ("ref_x_E_m", "ref_y_E_m", "ref_z_E_m", *(f"ref_{name}" for name in 
 """Where the reference was; not a number where it is not valid."""
 
 NUMBERS = (*MOTION, *STICK, *STEERING, *REFERENCE, "gap_m", "lateness_s")
-LIMITS = ("slack", "stall", "sideslip", "overload", "ground")
+LIMITS = tuple(limit.name for limit in RECORDED)
 """Whether the instant is beyond this limit of validity; the order says which is told first."""
 
 ALL = (*MOTION, *PLACE, *NUMBERS[len(MOTION) :], *LIMITS)
@@ -97,22 +97,20 @@ def table(parameters: Parameters, ticks: Sequence[Tick], episodes: Sequence[Epis
     places = np.array(episodes, np.int32).reshape(len(rows), len(EPISODE)).T.copy()
     columns |= dict(zip(EPISODE, places, strict=True))
     columns["tick"] = np.array([tick.tick for tick in ticks], np.int32)
-    columns |= beyond(parameters, columns)
-    columns["ground"] = np.array([_grounded(tick.result) for tick in ticks], np.bool_)
+    left = [tick.result.departure for tick in ticks]
+    columns["ground"] = np.array([bool(each and each.limit is GROUND) for each in left], np.bool_)
+    now = limit_numbers(columns)
+    columns |= {limit.name: ~limit.kept(parameters.limits, now) for limit in RECORDED}
     return {name: columns[name] for name in ALL}
 
 
-def beyond(parameters: Parameters, columns: Columns) -> dict[str, NDArray[np.bool_]]:
-    """Which rows are beyond which limit, as `validity.departure_at` has it, and the ceiling."""
-    limits = parameters.limits
-    tensions = np.stack([columns["tension_plus_N"], columns["tension_minus_N"]])
+def limit_numbers(columns: Columns) -> Numbers:
+    """What limits are about; of the ground it is only known whether it was touched, if that."""
+    tensions = (columns["tension_plus_N"], columns["tension_minus_N"])
     alpha, beta = np.radians(columns["alpha_deg"]), np.radians(columns["beta_deg"])
-    return {
-        "slack": tensions.min(axis=0) <= 0.0,
-        "stall": ~((alpha > 0.0) & (alpha < limits.alpha_stall)),
-        "sideslip": ~(np.abs(beta) < limits.beta_max),
-        "overload": tensions.max(axis=0) > limits.tension_max,
-    }
+    touched = np.asarray(columns.get("ground", np.zeros(len(alpha))), np.bool_)
+    clearance = np.where(touched, 0.0, inf)
+    return Numbers(tensions, alpha, beta, columns.get("airspeed_m_s", nan), clearance)
 
 
 def _numbers(tick: Tick) -> list[float]:
@@ -124,7 +122,3 @@ def _numbers(tick: Tick) -> list[float]:
     gap = nan if result.gap is None else result.gap
     steering = (*tick.command, *tick.control)
     return [*motion_row(result.motion), *steering, *where, gap, tick.lateness]
-
-
-def _grounded(result: TickResult) -> bool:
-    return result.departure is not None and result.departure.ending is Ending.GROUND

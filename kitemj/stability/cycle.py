@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.errors import InputError
-from kitemj.flight.limits import Departure, departure_at
+from kitemj.flight.limits import Departure, first_departure
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, rest_ell
 from kitemj.stability.linearise import state_matrix, state_units
@@ -170,7 +170,6 @@ def _told(kite: Minimal, found: Closed, control: Control, units: Array) -> Cycle
     rest = np.delete(values, trivial)
     ordered = [*rest[np.argsort(-np.abs(rest))], values[trivial]]
     flight = orbit(kite, x, T, control)
-    departures = (departure_at(kite.parameters, motion) for motion in flight.motions[:SAMPLES])
     return Cycle(
         kite.name,
         T,
@@ -179,6 +178,6 @@ def _told(kite: Minimal, found: Closed, control: Control, units: Array) -> Cycle
         float(abs(values[trivial] - 1)),
         gap,
         flight,
-        next((departure for departure in departures if departure), None),
+        first_departure(kite.parameters, flight.motions[:SAMPLES]),
         getattr(kite.parameters.aero, "V_ref", None),
     )

@@ -16,7 +16,7 @@ from kitemj.dynamics.lagrange_kite import motion_at
 from kitemj.dynamics.motion import State, air_of
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import check_steady, no_equilibrium, symmetric_equilibria
-from kitemj.flight.limits import Ending, departure_at, touches_ground
+from kitemj.flight.limits import GROUND, VALIDITY, departure_at
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Programme, Segment, Sines, control, rest_ell
@@ -32,13 +32,6 @@ DIFFERENCE = 1e-4
 """rad; of the Jacobian in Newton's iterations."""
 STEPS = 20
 """Steps from δ = 0 to the asked δ."""
-
-NAMES = {
-    Ending.SLACK: "a line would have to push",
-    Ending.STALL: "the angle of attack is outside 0 < alpha < alpha_stall",
-    Ending.SIDESLIP: "the sideslip angle is beyond beta_max",
-    Ending.GROUND: "the kite would stand on the ground",
-}
 
 
 class Trim(NamedTuple):
@@ -214,10 +207,8 @@ def trim_at(kite: Minimal, q: NDArray[np.float64], control: Control) -> Trim:
 def unphysical(parameters: Parameters, state: State, control: Control) -> str:
     """The reason why no kite can be at rest at `state` with the lines held; empty: it can."""
     motion = motion_at(parameters, Segment(0.0, control), 0.0, state)
-    departure = departure_at(parameters, motion)
-    if departure:
-        return f"{NAMES[departure.ending]} ({departure.reading})"
-    return NAMES[Ending.GROUND] if touches_ground(parameters, motion) else ""
+    departure = departure_at(parameters, motion, (*VALIDITY, GROUND))
+    return f"{departure.limit.sentence} ({departure.reading})" if departure else ""
 
 
 def _steered(

@@ -7,24 +7,23 @@ from typing import Any
 
 import numpy as np
 
-from kitemj.dynamics.batch import (
-    ALPHA,
-    BETA,
-    CLEARANCE,
-    TENSIONS,
-    Array,
-    X,
-    Z,
-)
+from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS, Array, X, Z
 from kitemj.dynamics.formulation import make_model
-from kitemj.flight.limits import TOUCH, Ending
+from kitemj.flight.limits import SLACK, TOUCH, Ending, batch_numbers, departure_in
 from kitemj.flight.scenario import Scenario, scenario_of
-from kitemj.physics.parameters import Parameters
 from kitemj.registry import use
 from kitemj.studies.design import Point
 from kitemj.studies.study import Base, Settings
 
 Row = dict[str, Any]
+
+EXTREMES = (
+    ("tension_plus_{}_N", TENSIONS, 1.0),
+    ("tension_minus_{}_N", TENSIONS + 1, 1.0),
+    ("alpha_{}_deg", ALPHA, 180 / np.pi),
+    ("beta_{}_deg", BETA, 180 / np.pi),
+)
+"""Names of two columns of results, the column of the batch, and its unit in theirs."""
 
 RESULTS: dict[str, type] = {
     "model": str,
@@ -33,16 +32,7 @@ RESULTS: dict[str, type] = {
     "departure": str,
     "departure_t_s": float,
     "flown_s": float,
-    **{
-        f"{name}_{end}_{unit}": float
-        for name, unit in (
-            ("tension_plus", "N"),
-            ("tension_minus", "N"),
-            ("alpha", "deg"),
-            ("beta", "deg"),
-        )
-        for end in ("min", "max")
-    },
+    **{name.format(end): float for name, *_ in EXTREMES for end in ("min", "max")},
     "clearance_min_m": float,
     "gap_max_m": float,
     "gap_until_s": float,
@@ -66,7 +56,7 @@ def fly_all(base: Base, flights: Sequence[tuple[int, Point]]) -> list[Row]:
 
 def fly(base: Base, flight: int, point: Point) -> Row:
     """The row of one flight; what goes wrong in it is its reason, never an exception."""
-    row: Row = {"flight": flight, **{name: _plain(value) for name, value in point.items()}}
+    row = _inputs(flight, point)
     source = f"{base.source}, flight {flight}"
     try:
         tables, settings = base.at(point)
@@ -88,16 +78,12 @@ def fly(base: Base, flight: int, point: Point) -> Row:
 
 def failed(flight: int, point: Point, reason: str) -> Row:
     """The row of a flight whose process ended in it."""
-    return {
-        "flight": flight,
-        **{name: _plain(value) for name, value in point.items()},
-        "ending": FAILED,
-        "reason": reason,
-    }
+    return _inputs(flight, point) | {"ending": FAILED, "reason": reason}
 
 
-def _plain(value: Any) -> Any:
-    return json.dumps(value) if isinstance(value, (dict, list)) else value
+def _inputs(flight: int, point: Point) -> Row:
+    tables = {name: json.dumps(x) for name, x in point.items() if isinstance(x, (dict, list))}
+    return {"flight": flight, **point, **tables}
 
 
 def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:
@@ -129,41 +115,21 @@ def _summary(scenario: Scenario, rows: Array) -> Row:
     elif len(rows) < len(times):
         ending = Ending.DIVERGED
     summary: Row = {"ending": ending.name.lower(), "flown_s": times[len(rows) - 1]}
-    summary |= _departure(scenario.parameters, rows, times)
-    for name, column, scale in (
-        ("tension_plus_{}_N", TENSIONS, 1.0),
-        ("tension_minus_{}_N", TENSIONS + 1, 1.0),
-        ("alpha_{}_deg", ALPHA, 180 / np.pi),
-        ("beta_{}_deg", BETA, 180 / np.pi),
-    ):
+    departure = departure_in(scenario.parameters.limits, times, batch_numbers(rows))
+    if departure:
+        summary |= {"departure": departure.limit.name, "departure_t_s": departure.t}
+    for name, column, scale in EXTREMES:
         summary[name.format("min")] = scale * float(rows[:, column].min())
         summary[name.format("max")] = scale * float(rows[:, column].max())
     summary["clearance_min_m"] = float(rows[:, CLEARANCE].min())
     return summary
 
 
-def _departure(parameters: Parameters, rows: Array, times: list[float]) -> Row:
-    """The limit of validity that is left first, and when; as `first_departure` of motions."""
-    limits = parameters.limits
-    alpha, pull = rows[:, ALPHA], rows[:, TENSIONS:].min(axis=1)
-    outside = {
-        Ending.SLACK: pull <= 0.0,
-        Ending.STALL: ~((alpha > 0.0) & (alpha < limits.alpha_stall)),
-        Ending.SIDESLIP: ~(np.abs(rows[:, BETA]) < limits.beta_max),
-    }
-    first = [(int(out.argmax()), ending) for ending, out in outside.items() if out.any()]
-    if not first:
-        return {}
-    i, ending = min(first, key=lambda each: each[0])
-    return {"departure": ending.name.lower(), "departure_t_s": times[i]}
-
-
 def _gap(scenario: Scenario, rows: Array, reference: Array) -> Row:
     """Largest distance [m] of the two, until a line of either is slack (see `compare`)."""
-    n = min(len(rows), len(reference))
-    pulls = np.minimum(rows[:n, TENSIONS:], reference[:n, TENSIONS:])
-    slack = (pulls <= 0.0).any(axis=1)
-    n = int(slack.argmax()) if slack.any() else n
+    limits, n = scenario.parameters.limits, min(len(rows), len(reference))
+    taut, too = (SLACK.kept(limits, batch_numbers(each[:n])) for each in (rows, reference))
+    n = int(np.logical_and.accumulate(taut & too).sum())
     if n == 0:
         return {}
     gaps = np.linalg.norm(rows[:n, X : Z + 1] - reference[:n, X : Z + 1], axis=1)

@@ -7,6 +7,7 @@ import numpy as np
 
 from kitemj.dynamics.batch import ALPHA, BETA, TENSIONS
 from kitemj.dynamics.batch import Array as Rows
+from kitemj.flight.limits import batch_numbers, departure_in
 from kitemj.physics.parameters import Parameters
 from kitemj.stability.modes import stability
 from kitemj.tables import Cell, Table
@@ -172,10 +173,7 @@ def steered_table() -> Table:
 
 
 def _valid(parameters: Parameters, rows: Rows) -> bool:
-    alpha, limits = rows[:, ALPHA], parameters.limits
-    taut = rows[:, TENSIONS:].min() > 0
-    inside = alpha.min() > 0 and alpha.max() < limits.alpha_stall
-    return bool(taut and inside and np.abs(rows[:, BETA]).max() < limits.beta_max)
+    return departure_in(parameters.limits, range(len(rows)), batch_numbers(rows)) is None
 
 
 def threshold_table(lost: dict[float, float]) -> Table:

@@ -182,7 +182,7 @@ def _solver_table(flights: list[SolvedFlight]) -> Table:
             found.smallest,
             *flight.tension_range,
             departure.t if departure else DURATION,
-            departure.ending.name.lower() if departure else "the end",
+            departure.limit.name if departure else "the end",
         )
         for flight in flights
         for s, found, departure in [flight]

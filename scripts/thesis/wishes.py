@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.limits import Departure, Ending
+from kitemj.flight.limits import GROUND, Departure
 from kitemj.flight.live import TICK, Command, LiveFlight, TickResult
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.aerodynamics import LinearAero
@@ -60,7 +60,7 @@ def fly(kite: str, pilot: Pilot, duration: float) -> Outcome:
     for _ in range(round(duration / TICK)):
         result = flight.tick(pilot.command(result.motion))
         first = first or result.departure
-        if result.departure and result.departure.ending is Ending.GROUND:
+        if result.departure and result.departure.limit is GROUND:
             break
     return Outcome(result, first, result.motion.t)
 

@@ -21,6 +21,7 @@ from kitemj.drawing.readings import Readings
 from kitemj.drawing.smooth import smooth_lines
 from kitemj.drawing.wind_window import FOOT, RADIUS, WindWindow, bearing
 from kitemj.dynamics.motion import Motion
+from kitemj.flight.limits import GROUND, OVERLOAD, SIDESLIP, SLACK, STALL, TWIST, Limit
 from kitemj.flight.live import TICK
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
@@ -31,7 +32,7 @@ from tests.support import pulling
 CALM = motion_at(LAKSA, EQUILIBRIUM)
 STALLED = CALM._replace(air=CALM.air._replace(alpha=radians(31)))
 SLIDING = CALM._replace(air=CALM.air._replace(beta=radians(-17)))
-SLACK = motion_at(LAKSA, EQUILIBRIUM, slack=1.0)
+HANGING = motion_at(LAKSA, EQUILIBRIUM, slack=1.0)
 OVER = pulling(CALM, 700.0, 300.0)
 CRASHED = motion_at(LAKSA, Angles(0.0, pi / 2, 0.0, -0.3))
 
@@ -217,25 +218,43 @@ def test_nothing_overlaps(painted: Painted) -> None:
 @pytest.mark.parametrize(
     ("motion", "limit", "panel"),
     [
-        (STALLED, "STALL", "air"),
-        (SLIDING, "SIDESLIP", "air"),
-        (SLACK, "SLACK", "lines"),
-        (OVER, "CEILING", "lines"),
-        (CRASHED, "GROUND", "flight"),
+        (STALLED, STALL, "air"),
+        (SLIDING, SIDESLIP, "air"),
+        (HANGING, SLACK, "lines"),
+        (OVER, OVERLOAD, "lines"),
+        (CRASHED, GROUND, "flight"),
     ],
 )
 def test_an_alarm_is_seen_on_the_panel_that_says_why(
-    painted: Painted, motion: Motion, limit: str, panel: str
+    painted: Painted, motion: Motion, limit: Limit, panel: str
 ) -> None:
     alarm = alarm_at(LAKSA, motion)
     assert alarm is not None
-    assert alarm.limit == limit
+    assert alarm.departure.limit is limit
     image = painted.paint(motion)
     for name in ("flight", "air", "lines", "knob", "model", "window"):
         red = share(image[painted.box(name)], ALARM)
         assert red > 0.3 if name == panel else red < 0.01, name
     quiet = painted.paint(CALM)
     assert share(quiet, ALARM) == 0.0
+
+
+def test_lines_twisted_too_often_are_an_alarm(painted: Painted) -> None:
+    calm = History(LAKSA).traces(0.0)
+    for turns, loud in ((4.9, False), (5.1, True), (-5.1, True)):
+        alarm = alarm_at(LAKSA, CALM, turns * 2 * pi)
+        assert (alarm is not None and alarm.departure.limit is TWIST) == loud
+        image = painted.paint(CALM, Readings(traces=calm._replace(twist=turns * 2 * pi)))
+        assert (share(image[painted.box("model")], ALARM) > 0.3) == loud
+
+
+def test_what_is_remembered_has_the_alarm_of_a_twist() -> None:
+    history = History(LAKSA._replace(limits=LAKSA.limits._replace(twist_max=radians(300))))
+    for i in range(100):
+        turned = circling(2 * pi * i / 100)
+        history.add(0.03 * i, CALM._replace(t=0.03 * i, body=turned.body))
+        alarm = history.traces(0.03 * i).alarm
+        assert (alarm is not None) == (3.6 * i > 300), i
 
 
 def test_the_reason_stays_readable_for_some_seconds(painted: Painted) -> None:
@@ -262,7 +281,7 @@ def test_a_message_and_an_alarm_are_both_seen_the_same_words_once(painted: Paint
     alarm = alarm_at(LAKSA, STALLED)
     assert alarm is not None
     assert rows("the gamepad is gone") > rows("")
-    assert rows(alarm.sentence) == rows("")
+    assert rows(alarm.departure.limit.sentence) == rows("")
 
 
 # the knob

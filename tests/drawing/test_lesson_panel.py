@@ -9,6 +9,7 @@ from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.lesson_panel import HEIGHT, _fitting, beside, paint_lesson, paint_touch
 from kitemj.drawing.panel import CALL, GOOD, LEFT, RIGHT
 from kitemj.drawing.picture import INSET
+from kitemj.flight.limits import GROUND, Departure
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.pilots.course import LessonStatus
 from kitemj.pilots.crash import Touch
@@ -26,7 +27,7 @@ GREY = (128, 128, 128)
 LESSON = LessonStatus(2, 7, "Turn left", LONGEST[0], -0.4, 0.5, False)
 CRASH = Touch(3.5, "right wing's trailing corner", 29.7, 27.7, -1.2, 25.0, 67.0, 26.0)
 SOFT = Touch(9.0, "left tip", 1.2, 1.1, 1.2, 25.0, 0.2, 1.4)
-GROUND = Alarm("GROUND", "30 m/s of air", "the kite touched the ground")
+FELL = Alarm(Departure(3.5, GROUND, "30 m/s of air"))
 
 
 class Cockpit:
@@ -66,7 +67,7 @@ def test_lesson_banner_and_card_are_clear_of_each_other_and_of_the_instruments(
     cockpit = Cockpit(size)
     lesson = cockpit.lesson(near)
     left = beside(cockpit.room(near), lesson, cockpit.unit)
-    banner = paint_banner(cockpit.surface, left, cockpit.unit, GROUND, "the gamepad is gone", near)
+    banner = paint_banner(cockpit.surface, left, cockpit.unit, FELL, "the gamepad is gone", near)
     middle = cockpit.room(True)  # its columns are free in every view
     middle.height -= round(36 * cockpit.unit)  # the legend of the arrows
     left = beside(middle, lesson.union(banner), cockpit.unit)

@@ -9,7 +9,7 @@ from kitemj.dynamics.lagrange import accelerations
 from kitemj.dynamics.lagrange_kite import flown
 from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.equilibrium import equilibrium_state
-from kitemj.flight.limits import Ending
+from kitemj.flight.limits import GROUND
 from kitemj.flight.live import Command, LiveFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.frames import Angles
@@ -58,7 +58,7 @@ class PilotedFlight:
 
     @property
     def landed(self) -> bool:
-        return any(departure.ending is Ending.GROUND for departure in self.departures)
+        return any(departure.limit is GROUND for departure in self.departures)
 
     @property
     def sights(self) -> list[Sight]:
@@ -71,7 +71,7 @@ class PilotedFlight:
 
     def holds(self) -> None:
         """Within the model's limits, beside the reference, lines neither weak nor overloaded."""
-        assert not [str(d) for d in self.departures if d.ending is not Ending.GROUND]
+        assert not [str(d) for d in self.departures if d.limit is not GROUND]
         assert self.gap <= AGREEMENT
         pulls = [pull for motion in self.motions for pull in motion.tensions]
         assert min(pulls) > 0.5, "N"

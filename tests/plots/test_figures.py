@@ -150,7 +150,9 @@ def test_what_is_beyond_the_limits_says_so(name, flight):
     flight = flight._replace(columns={**flight.columns, "beta_deg": beta})
     (legend,) = DRAWN[name](flight).legends
     told = " ".join(text.get_text() for text in legend.get_texts())
-    assert f"at {flight.t[20]:.2f} s: the sideslip angle exceeded β_max" in told.replace("\n", " ")
+    assert f"at t = {flight.t[20]:.2f} s: the sideslip angle is beyond β_max" in told.replace(
+        "\n", " "
+    )
 
 
 def test_the_ground_does_not_set_the_scale(flight):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kitemj.errors import InputError
-from kitemj.plots.flight import Departure
+from kitemj.flight.limits import OVERLOAD, SIDESLIP, SLACK, STALL, Departure
 from kitemj.plots.limits import extremes, limit_ratios, limits_figure
 from tests.plots.flights import by_hand
 
@@ -22,7 +22,7 @@ def test_ratios_are_parts_of_each_limit():
         alpha_deg=[12.5, -5.0],
         beta_deg=[-7.5, 30.0],
     )
-    ratios = limit_ratios(flight.parameters, flight.columns)
+    ratios = limit_ratios(flight)
     assert list(ratios) == ["T₊/T_max", "T₋/T_max", "α/α_stall", "|β|/β_max"]
     expected = [[0.5, -0.01], [0.1, 1.5], [0.5, -0.2], [0.5, 2.0]]
     assert np.allclose(list(ratios.values()), expected, rtol=0, atol=ROUNDING)
@@ -36,13 +36,13 @@ def test_extremes_say_when_and_why():
     )
     plus, minus, alpha, beta = extremes(flight)
     assert plus[1:6] == pytest.approx((-0.01, 2.0, 0.15, 4.0, 1.0))
-    assert plus.reason == "the left line went slack"
+    assert plus.reason == SLACK.sentence
     assert minus[1:6] == pytest.approx((0.1, 0.0, 1.2, 3.0, 1.0))
-    assert minus.reason == "the right line carried more than its ceiling"
+    assert minus.reason == OVERLOAD.sentence
     assert isnan(alpha.outside_from_s)
     assert alpha.reason == ""
     assert beta[1:6] == pytest.approx((0.0, 0.0, 1.0, 2.0, 2.0))
-    assert beta.reason == "|β| reached β_max"
+    assert beta.reason == SIDESLIP.sentence
 
 
 def test_a_line_may_carry_its_ceiling_but_not_be_slack():
@@ -53,7 +53,7 @@ def test_a_line_may_carry_its_ceiling_but_not_be_slack():
 
 def test_extremes_and_departure_tell_the_same_first_moment():
     flight = by_hand(alpha_deg=[5.0, 5.0, 26.0, 5.0, 5.0], beta_deg=[0.0, 0.0, 0.0, 16.0, 0.0])
-    assert flight.departure == Departure(2.0, "the angle of attack left 0 < α < α_stall")
+    assert flight.departure == Departure(2.0, STALL, "α = 26.00°, α_stall = 25°")
     assert np.nanmin([each.outside_from_s for each in extremes(flight)]) == 2.0
     assert flight.parts == (slice(0, 3), slice(2, None))
     assert by_hand().departure is None
@@ -64,7 +64,7 @@ def test_figure_draws_the_ratios_and_shades_what_is_outside():
     flight = by_hand(beta_deg=[0.0, 15.0, 18.0, 0.0, 0.0])
     (ax,) = limits_figure(flight).axes
     drawn = [line.get_ydata() for line in ax.get_lines()]
-    ratios = limit_ratios(flight.parameters, flight.columns)
+    ratios = limit_ratios(flight)
     for ratio in ratios.values():
         assert any(np.array_equal(ratio, each) for each in drawn)
     (grey,) = (each for each in ax.collections if len(each.get_paths()))

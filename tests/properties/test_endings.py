@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from kitemj.flight.limits import Ending
+from kitemj.flight.limits import LIMITS, SIDESLIP, SLACK, STALL, Ending, Limit
 from kitemj.flight.scenario import scenario_of
 from kitemj.flight.simulate import Simulation, simulate
 
@@ -26,10 +26,10 @@ def flown(changes: dict, model: str = "mujoco") -> Simulation:
     return simulate(scenario_of({**CALM, **changes}, "test.toml"), model, STEP)
 
 
-def assert_departs(flight: Simulation, ending: Ending, reading: str) -> None:
-    assert flight.departure.ending is ending
+def assert_departs(flight: Simulation, limit: Limit, reading: str) -> None:
+    assert flight.departure.limit is limit
     assert re.fullmatch(
-        rf"t = \d+\.\d\d s: {re.escape(ending.value)} \({reading}\)", str(flight.departure)
+        rf"t = \d+\.\d\d s: {re.escape(limit.sentence)} \({reading}\)", str(flight.departure)
     )
 
 
@@ -44,7 +44,7 @@ def test_finished():
 def test_slack(model):
     nose_down = {"start": {"theta_deg": -12.0}}
     flight = flown(nose_down, model)
-    assert_departs(flight, Ending.SLACK, r"left -?[\d.]+ N, right -?[\d.]+ N")
+    assert_departs(flight, SLACK, r"left -?[\d.]+ N, right -?[\d.]+ N")
 
 
 def test_slack_lines_of_the_engine_do_not_push():
@@ -56,12 +56,12 @@ def test_slack_lines_of_the_engine_do_not_push():
 
 def test_stall():
     flight = flown({"start": {"theta_deg": 25.0}})
-    assert_departs(flight, Ending.STALL, r"α = 32\.75°, α_stall = 25°")
+    assert_departs(flight, STALL, r"α = 32\.75°, α_stall = 25°")
 
 
 def test_sideslip():
     flight = flown({"start": {"phi_dot": 0.03}})
-    assert_departs(flight, Ending.SIDESLIP, r"β = -1\d\.\d\d°, β_max = 15°")
+    assert_departs(flight, SIDESLIP, r"β = -1\d\.\d\d°, β_max = 15°")
 
 
 @pytest.mark.parametrize("model", ["mujoco", "lagrange", "newton-euler"])
@@ -82,7 +82,9 @@ def test_diverged():
     assert len(flight.motions) == 1, "what was flown until then is kept"
 
 
-@pytest.mark.parametrize("ending", Ending)
-def test_a_sentence_is_for_people(ending):
-    assert len(ending.value.split()) > 4
-    assert not ending.value.endswith(".")
+@pytest.mark.parametrize(
+    "sentence", [*(ending.value for ending in Ending), *(limit.sentence for limit in LIMITS)]
+)
+def test_a_sentence_is_for_people(sentence):
+    assert len(sentence.split()) > 4
+    assert not sentence.endswith(".")

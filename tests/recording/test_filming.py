@@ -1,5 +1,6 @@
 """Films and windows of recordings: what they show, and what they refuse."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import av
@@ -15,12 +16,16 @@ from kitemj.cockpit.replay_player import SPEEDS, Player
 from kitemj.cockpit.replay_window import ReplayWindow
 from kitemj.cockpit.screens import display_found
 from kitemj.drawing.picture import Picture
+from kitemj.drawing.recorded_traces import RecordedTraces
+from kitemj.flight.limits import SLACK, TWIST
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
+from kitemj.recording.track import Track
 from tests.recording.flights import LOOPS, live_flight, recorded, restless
 
 SMALL = (320, 180)
 SIZE = f"{SMALL[0]}x{SMALL[1]}"
+ROWS = range(0, 301, 10)
 ANSWER = 0.25
 """s; a slider that is felt to answer at once takes 0.1 s, measured: 0.06 s at 1280 x 720."""
 
@@ -208,6 +213,26 @@ def test_no_display_is_said(file, monkeypatch, capsys):
     pygame.display.quit()
     assert main(["replay", str(file)]) == 0
     assert "kitemj film" in capsys.readouterr().out
+
+
+def test_a_twist_is_an_alarm_when_it_was_one(file):
+    """Of lines that may not be turned by more than half of what this flight turns them."""
+    recording = read_recording(file)
+    twists = np.array([RecordedTraces(recording, Track(recording)).at(k).twist for k in ROWS])
+    parameters = recording.parameters
+    limits = parameters.limits._replace(
+        twist_max=np.abs(twists).max() / 2, alpha_stall=1e9, beta_max=1e9, tension_max=1e9
+    )
+    strict = replace(recording, parameters=parameters._replace(limits=limits))
+    traces = RecordedTraces(strict, Track(strict))
+    slack = recording.columns["slack"]
+    for k, twist in zip(ROWS, twists, strict=True):
+        alarm = traces.at(k).alarm
+        if abs(twist) > limits.twist_max and not slack[k]:
+            assert alarm.departure.limit is TWIST
+            assert alarm.age == 0.0
+        else:
+            assert alarm is None or alarm.age > 0.0 or alarm.departure.limit is SLACK
 
 
 def test_the_reference_of_another_model_is_there_until_a_line_is_slack(file):

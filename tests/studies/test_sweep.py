@@ -102,7 +102,7 @@ def test_a_row_says_what_simulate_and_compare_say(study, plain):
     assert 0 < row["gap_max_m"] < 1e-4
     if flight.departure:
         assert row["departure_t_s"] == flight.departure.t
-        assert row["departure"] == flight.departure.ending.name.lower()
+        assert row["departure"] == flight.departure.limit.name
     else:
         assert row["departure"] is None
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kitemj.flight.limits import Ending
+from kitemj.flight.limits import GROUND
 from kitemj.physics.aerodynamics import coefficients
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
@@ -42,7 +42,7 @@ def test_the_stick_moves_the_length_of_the_lines():
 
 def test_a_flight_ends_on_the_ground():
     outcome = fly("sport", Land(), 30.0)
-    assert outcome.last.departure.ending is Ending.GROUND
+    assert outcome.last.departure.limit is GROUND
     assert outcome.t < 30.0
 
 
