@@ -53,7 +53,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _say_if_cold()
     try:
         return int(words.run(words))
-    except (InputError, FileExistsError, FileNotFoundError, PermissionError) as error:
+    except InputError as error:
+        print(f"kitemj: {error.worded(words.parser.words)}", file=sys.stderr)
+        return 2
+    except (FileExistsError, FileNotFoundError, PermissionError) as error:
         print(f"kitemj: {error}", file=sys.stderr)
         return 2
     except (FlightError, NoGraphics) as error:

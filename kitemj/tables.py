@@ -35,7 +35,9 @@ class Table(NamedTuple):
 def check_format(path: Path) -> None:
     """Raises InputError for a name that says no known format."""
     if path.suffix.lower() not in FORMATS:
-        raise InputError(f"--output must end in one of {', '.join(FORMATS)}, got {path.name!r}")
+        raise InputError(
+            f"{path.name} must end in one of {', '.join(FORMATS)} to say what to write"
+        )
 
 
 def print_table(table: Table) -> None:

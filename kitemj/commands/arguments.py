@@ -19,14 +19,21 @@ class Parser(argparse.ArgumentParser):
         """Exit status 2."""
         self.exit(2, f"kitemj: {message}; see {self.prog} --help\n")
 
+    @property
+    def words(self) -> dict[str, str]:
+        """What a person types for an argument: `--step` for step."""
+        return {each.dest: each.option_strings[0] for each in self._actions if each.option_strings}
+
 
 def command(
     commands: "argparse._SubParsersAction[Parser]", name: str, says: str, example: str
 ) -> Parser:
     """The parser of a subcommand, with an example in its help."""
-    return commands.add_parser(
+    parser = commands.add_parser(
         name, help=says, description=says, epilog=f"example:\n  {example}", formatter_class=RAW
     )
+    parser.set_defaults(parser=parser)
+    return parser
 
 
 def add_step(parser: Parser) -> None:

@@ -35,14 +35,14 @@ def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters]:
     if lacks and not kite:
         raise InputError(
             f"{table.name} does not say which kite flew it, and lacks the column {lacks[0]}, which "
-            f"would tell: say --kite with {', '.join(set_names())}, or with a scenario's file"
+            f"would tell: give `kite`: one of {', '.join(set_names())}, or a scenario's file"
         )
     gaps = {name: 0.0 if lacks else line_gap(kites[name], table) for name in kites}
     best = min(gaps, key=lambda name: gaps[name])
     if gaps[best] > FITS:
         raise InputError(
             f"{table.name} was not flown by {' or '.join(kites)}: its lines end {gaps[best]:.2g} m "
-            f"from where they should; say --kite with another set, or with its scenario's file"
+            f"from where they should; give another `kite`: a set, or its scenario's file"
         )
     return best, kites[best]
 

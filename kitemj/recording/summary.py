@@ -119,7 +119,7 @@ def comparison(again: Replay) -> str:
         lines.append(f"beyond them  {_gap(again, comparable & ~valid)}")
     if not comparable.all():
         ticks = rows - int(comparable.sum())
-        lines.append(f"not compared {ticks} ticks after a slack line or the ground (kitemj info)")
+        lines.append(f"not compared {ticks} ticks after a slack line or the ground")
     if again.note:
         lines.append(f"broke off    {again.note}")
     return "\n".join(lines)
