@@ -9,6 +9,7 @@ from kitemj.dynamics.formulation import MODELS as REGISTRY
 from kitemj.errors import InputError
 
 MODELS = tuple(REGISTRY.shipped)
+SCENARIO = "a scenario file (TOML), or the name of one that ships: steer_200m"
 RAW = argparse.RawDescriptionHelpFormatter
 
 

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, Parser, add_step, command
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_step, command
 from kitemj.errors import InputError
 
 
@@ -15,7 +15,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "fly a scenario through the models and print how far apart they are",
         "kitemj compare scenarios/steer_200m.toml",
     )
-    parser.add_argument("scenario", type=Path, nargs="+", help="scenario files (TOML)")
+    parser.add_argument("scenario", type=Path, nargs="+", help=SCENARIO)
     parser.add_argument(
         "--models", default=",".join(MODELS), metavar="A,B", help="the last one is the reference"
     )

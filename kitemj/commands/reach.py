@@ -1,14 +1,8 @@
 """`kitemj reach`: what arms can do to two lines."""
 
 import argparse
-from pathlib import Path
-from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import Parser, command
-from kitemj.errors import InputError
-
-if TYPE_CHECKING:
-    from kitemj.physics.parameters import Parameters
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -20,7 +14,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "kitemj reach thesis --arm 0.25 --length 200",
     )
     parser.add_argument(
-        "kite", nargs="?", default="sport", metavar="SET|FILE", help="a set, or a scenario file"
+        "kite", nargs="?", default="sport", metavar="SET|FILE", help="a set, or a scenario"
     )
     parser.add_argument("--arm", type=float, metavar="M", help="to each side, default: the set's")
     parser.add_argument("--length", type=float, metavar="M", help="of each line, L₀")
@@ -31,21 +25,10 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.flight.reach import reach_of, told
+    from kitemj.flight.scenario import parameters_named
 
-    parameters = _parameters(args.kite)
+    parameters = parameters_named(args.kite)
     own = (parameters.stick.arm, parameters.lines.length, 2 * parameters.kite.y_A)
     given = (args.arm, args.length, args.attachments)
     print(told(reach_of(*(a if b is None else b for a, b in zip(own, given, strict=True)))))
     return 0
-
-
-def _parameters(name: str) -> "Parameters":
-    """Those of the named set, or of the scenario in a file."""
-    from kitemj.flight.scenario import read_scenario
-    from kitemj.physics.parameter_files import parameter_set, set_names
-
-    if name in set_names():
-        return parameter_set(name)
-    if not Path(name).exists():
-        raise InputError(f"there is no set or file {name!r}; sets: {', '.join(set_names())}")
-    return read_scenario(Path(name)).parameters

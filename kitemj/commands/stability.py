@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import MODELS, Parser, command, number
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, command, number
 from kitemj.commands.results import add_results, check_results, give_results
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "linearise about the equilibrium; where stability is lost; the cycle beyond",
         "kitemj stability scenarios/rest_200m.toml --vary aero.Cl_beta --range -0.6 0.0",
     )
-    parser.add_argument("scenario", type=Path, help="a scenario file (TOML)")
+    parser.add_argument("scenario", type=Path, help=SCENARIO)
     parser.add_argument("--model", default="lagrange", help=f"one of {', '.join(MODELS)}")
     parser.add_argument("--vary", metavar="NAME", help="find where this parameter loses stability")
     parser.add_argument("--range", nargs=2, type=float, metavar=("A", "B"), help="its range")

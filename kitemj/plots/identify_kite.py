@@ -1,12 +1,10 @@
 """The kite that flew a table, found by its attachments, as a table has no parameters."""
 
-from pathlib import Path
-
 import numpy as np
 
 from kitemj.dynamics.motion import Body, attachment_E
 from kitemj.errors import InputError
-from kitemj.flight.scenario import read_scenario
+from kitemj.flight.scenario import parameters_named
 from kitemj.physics.frames import R_BE, Angles
 from kitemj.physics.parameter_files import parameter_set, set_names
 from kitemj.physics.parameters import Parameters
@@ -30,7 +28,7 @@ def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters]:
     Those of `table` are not looked at. Raises InputError where its lines do not end at that
     kite, or at none, or where it lacks the columns to tell and no kite is given.
     """
-    kites = {kite: _named(kite)} if kite else _sets()
+    kites = {kite: parameters_named(kite)} if kite else _sets()
     lacks = [name for name in (*POSE, *TENSIONS, *LENGTHS) if name not in table.columns]
     if lacks and not kite:
         raise InputError(
@@ -64,11 +62,6 @@ def line_gap(parameters: Parameters, table: Flight) -> float:
 def _sets() -> dict[str, Parameters]:
     names = [DEFAULT, *(name for name in set_names() if name != DEFAULT)]
     return {name: parameter_set(name) for name in names}
-
-
-def _named(kite: str) -> Parameters:
-    path = Path(kite)
-    return read_scenario(path).parameters if path.suffix == ".toml" else parameter_set(kite)
 
 
 def _body(pose: Array) -> Body:

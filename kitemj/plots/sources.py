@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kitemj.data_files import SCENARIOS, shipped_or_file
 from kitemj.errors import InputError
 from kitemj.flight.limits import Ending
 from kitemj.flight.scenario import Scenario, read_scenario
@@ -38,6 +39,8 @@ def read_flight(path: Path, model: str = "", episode: int = 0, kite: str = "") -
     a recording or its table; `kite`, a set or a scenario's file, that of a table. Raises
     InputError for a file that holds no flight and for a choice that means nothing with it.
     """
+    if path.suffix.lower() in ("", SCENARIO):
+        path = shipped_or_file(path, SCENARIOS)
     if not path.is_file():
         what = "is a folder" if path.is_dir() else "does not exist"
         raise InputError(f"{path} {what}; give {KINDS}")

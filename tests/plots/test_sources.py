@@ -1,5 +1,7 @@
 """The same flight out of every kind of file; what holds none is refused in a sentence."""
 
+from pathlib import Path
+
 import numpy as np
 import pyarrow as pa
 import pytest
@@ -36,6 +38,7 @@ def test_a_scenario_is_flown_finer_than_its_rows(scenario):
     assert np.allclose([flight.t[np.argmin(np.abs(flight.t - t))] for t in own], own, atol=1e-12)
     assert notes == []
     assert flight.name == "eight.toml, lagrange"
+    assert read_flight(Path("rest_200m")).flight.name == "rest_200m.toml, lagrange"
     assert read_flight(scenario, "newton-euler").flight.name.endswith("newton-euler")
 
 

@@ -76,12 +76,8 @@ def test_diverged():
     flight = flown({"wind": {"speed": 3000.0}, "start": {"phi_dot": 1000.0}})
     assert flight.ending is Ending.DIVERGED
     assert flight.note == (
-<<<<<<< HEAD
         "mujoco cannot fly on after t = 0.100 s: the state is no longer finite; "
         "a shorter step may help"
-=======
-        "mujoco cannot fly on after t = 0.100 s: the state is no longer finite; shorten the step"
->>>>>>> 6c286dd (A library names the argument; only the command line says --step)
     )
     assert len(flight.motions) == 1, "what was flown until then is kept"
 

@@ -59,11 +59,7 @@ def test_one_bit_of_steering_is_noticed(calm):
 def test_another_step_and_unknown_models(calm):
     with pytest.raises(InputError, match="there is no model 'laksa'"):
         replay(calm, "laksa")
-<<<<<<< HEAD
     with pytest.raises(InputError, match="step must be"):
-=======
-    with pytest.raises(InputError, match=r"^step must be"):
->>>>>>> 6c286dd (A library names the argument; only the command line says --step)
         replay(calm, "lagrange", 3.0)
 
 
