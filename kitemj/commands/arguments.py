@@ -37,6 +37,11 @@ def command(
     return parser
 
 
+def add_json(parser: Parser) -> None:
+    """``--json``."""
+    parser.add_argument("--json", action="store_true", help="print one JSON document, for machines")
+
+
 def add_step(parser: Parser) -> None:
     """``--step``."""
     says = f"longest step [s], default {DEFAULT_STEP:g}"

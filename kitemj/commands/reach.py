@@ -2,7 +2,7 @@
 
 import argparse
 
-from kitemj.commands.arguments import Parser, command
+from kitemj.commands.arguments import Parser, add_json, command
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -19,16 +19,19 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.add_argument("--arm", type=float, metavar="M", help="to each side, default: the set's")
     parser.add_argument("--length", type=float, metavar="M", help="of each line, L₀")
     parser.add_argument("--attachments", type=float, metavar="M", help="between them, 2 Y_A")
+    add_json(parser)
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.flight.reach import reach_of, told
+    from kitemj.flight.reach import COLUMNS, reach_of, told
     from kitemj.flight.scenario import parameters_named
+    from kitemj.tables import json_text
 
     parameters = parameters_named(args.kite)
     own = (parameters.stick.arm, parameters.lines.length, 2 * parameters.kite.y_A)
     given = (args.arm, args.length, args.attachments)
-    print(told(reach_of(*(a if b is None else b for a, b in zip(own, given, strict=True)))))
+    found = reach_of(*(a if b is None else b for a, b in zip(own, given, strict=True)))
+    print(json_text([], dict(zip(COLUMNS, found, strict=True))) if args.json else told(found))
     return 0

@@ -13,6 +13,9 @@ STEEPEST = 1.5
 THESIS_ARM, THESIS_LENGTH, THESIS_Y_A, THESIS_DELTA = 0.25, 200.0, 2.9, 0.1
 """m, m, m and rad: what the thesis prints for arms of ±25 cm, δ with one decimal."""
 
+COLUMNS = ("arm_m", "length_m", "attachments_m", "ell_rest_m", "ell_m", "delta_rad")
+"""Fields of `Reach`, for machines."""
+
 
 class Reach(NamedTuple):
     """One hand pulls its line by `arm`, the other lets out as much, and the kite is at (ℓ, δ).
