@@ -45,17 +45,17 @@ def reach_of(arm: float, length: float, attachments: float) -> Reach:
     """
     for name, value in (("arm", arm), ("length", length), ("attachments", attachments)):
         if not (isfinite(value) and value > 0):
-            raise InputError(f"{name} must be > 0 m, got {value} m")
+            raise InputError(f"`{name}` must be > 0 m, got {value} m")
     y_A = attachments / 2
     if length <= y_A:
         raise InputError(
             f"lines of {length:g} m do not reach attachments {attachments:g} m apart: "
-            f"length must be > {y_A:g} m"
+            f"`length` must be > {y_A:g} m"
         )
     longest = longest_arm(length, attachments)
     if arm >= longest:
         raise InputError(
-            f"arm must be < {longest:.4g} m for attachments {attachments:g} m apart, "
+            f"`arm` must be < {longest:.4g} m for attachments {attachments:g} m apart, "
             f"got {arm:g} m: it would turn the kite over"
         )
     ell, delta = ell_delta(length + arm, length - arm, y_A)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
-from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MODELS
 from kitemj.data_files import SCENARIOS, STUDIES, shipped_or_file
+from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MODELS
 from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
 from kitemj.physics.aerodynamics import LinearAero, TableAero
