@@ -25,8 +25,8 @@ lock: .venv/ready ## renew requirements.lock: the newest versions that pyproject
 		--no-emit-index-url --custom-compile-command "make lock" \
 		--output-file requirements.lock pyproject.toml
 
-wheel: .venv/ready ## dist/kitemj-*.whl
-	$(BIN)/python -m hatchling build --target wheel
+wheel: .venv/ready ## dist/: the wheel and the sdist
+	$(BIN)/python -m hatchling build
 
 clean: ## remove .venv, build and dist
 	rm -rf .venv build dist

@@ -56,7 +56,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for module in words.use:
             use(module)
         return int(words.run(words))
-    except (InputError, FileExistsError, FileNotFoundError, PermissionError) as error:
+    except InputError as error:
+        print(f"kitemj: {error.worded(words.parser.words)}", file=sys.stderr)
+        return 2
+    except (FileExistsError, FileNotFoundError, PermissionError) as error:
         print(f"kitemj: {error}", file=sys.stderr)
         return 2
     except (FlightError, NoGraphics) as error:

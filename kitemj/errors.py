@@ -1,10 +1,24 @@
 """What cannot be carried out, in one sentence."""
 
+import re
+from collections.abc import Mapping
 from typing import Any
 
 
 class InputError(ValueError):
-    """Bad input: what, the value with its unit, what is allowed, what to do."""
+    """Bad input: what, the value with its unit, what is allowed, what to do.
+
+    An argument of the caller's is written in backquotes, "`step` must be > 0 s"; `str` leaves
+    them out.
+    """
+
+    def worded(self, words: Mapping[str, str]) -> str:
+        """The sentence, with another word for each argument in `words`."""
+        return re.sub(r"`(\w+)`", lambda found: words.get(found[1], found[1]), super().__str__())
+
+    def __str__(self) -> str:
+        """The sentence, with each argument by its name."""
+        return self.worded({})
 
 
 class FlightError(RuntimeError):

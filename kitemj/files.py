@@ -13,7 +13,7 @@ def check_new(path: Path, overwrite: bool) -> None:
     if path.is_dir():
         raise InputError(f"{path} is a folder; give the name of a file")
     if path.exists() and not overwrite:
-        raise InputError(f"{path} exists; give another name, or --overwrite")
+        raise InputError(f"{path} exists; give another name, or `overwrite`")
     if not path.parent.is_dir():
         raise InputError(f"there is no folder {path.parent}; make it first")
     if not os.access(path.parent, os.W_OK):

@@ -6,9 +6,10 @@ numbers are rounded only where they are printed.
 
 import csv
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from math import isfinite
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from kitemj.errors import InputError
 from kitemj.files import new_file
@@ -18,6 +19,8 @@ Cell = float | str | bool
 FORMATS = (".json", ".csv", ".parquet")
 WIDE = 8
 """Columns that fit side by side in a terminal."""
+PIPED = 200
+"""Characters of a line that goes to a file or a pipe."""
 
 
 class Table(NamedTuple):
@@ -35,16 +38,18 @@ class Table(NamedTuple):
 def check_format(path: Path) -> None:
     """Raises InputError for a name that says no known format."""
     if path.suffix.lower() not in FORMATS:
-        raise InputError(f"--output must end in one of {', '.join(FORMATS)}, got {path.name!r}")
+        raise InputError(
+            f"{path.name} must end in one of {', '.join(FORMATS)} to say what to write"
+        )
 
 
-def print_table(table: Table) -> None:
-    """A wide table is shown on its side: a column for each row."""
+def print_table(table: Table, most: int = WIDE) -> None:
+    """A table of more columns than `most` is shown on its side: a column for each row."""
     from rich import box
     from rich.console import Console
     from rich.table import Table as Shown
 
-    wide = len(table.columns) > WIDE
+    wide = len(table.columns) > most
     shown = Shown(title=table.title, title_justify="left", box=box.SIMPLE, show_header=not wide)
     if wide:
         for name, *cells in zip(table.columns, *table.rows, strict=True):
@@ -54,19 +59,32 @@ def print_table(table: Table) -> None:
             shown.add_column(name)
         for row in table.rows:
             shown.add_row(*(_text(cell) for cell in row))
-    Console(width=None if Console().is_terminal else 140, markup=False).print(shown)
+    Console(width=None if Console().is_terminal else PIPED, markup=False).print(shown)
 
 
 def _text(cell: Cell) -> str:
     return f"{cell:.7g}" if isinstance(cell, float) else str(cell)
 
 
-def _for_json(table: Table) -> list[dict[str, Cell | None]]:
-    """JSON has no NaN: such a cell is null."""
-    return [
-        {name: None if cell != cell else cell for name, cell in record.items()}
-        for record in table.records()
-    ]
+def markdown(table: Table) -> str:
+    """The table in Markdown, without its title."""
+    lines = [table.columns, ["---"] * len(table.columns), *table.rows]
+    return "".join(f"| {' | '.join(_text(cell) for cell in line)} |\n" for line in lines)
+
+
+def json_text(tables: Iterable[Table], extra: Mapping[str, object]) -> str:
+    """One document: the rows of each table under its title, and `extra`."""
+    content = {**{table.title: table.records() for table in tables}, **extra}
+    return json.dumps(_finite(content), indent=1, allow_nan=False)
+
+
+def _finite(value: Any) -> Any:
+    """JSON has no NaN and no infinity: null."""
+    if isinstance(value, Mapping):
+        return {key: _finite(each) for key, each in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_finite(each) for each in value]
+    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrite: bool) -> None:
@@ -74,8 +92,7 @@ def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrit
     kind, first = path.suffix.lower(), tables[0]
     with new_file(path, overwrite) as part:
         if kind == ".json":
-            content = {**{table.title: _for_json(table) for table in tables}, **extra}
-            part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+            part.write_text(json_text(tables, extra) + "\n", encoding="utf-8")
         elif kind == ".csv":
             with part.open("w", newline="", encoding="utf-8") as file:
                 writer = csv.writer(file, lineterminator="\n")

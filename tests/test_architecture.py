@@ -1,6 +1,7 @@
 """The rooms import in one direction only, and the formulations know nothing of one another."""
 
 import ast
+import re
 from itertools import chain
 from pathlib import Path
 
@@ -116,3 +117,20 @@ def test_formulations_do_not_import_one_another(formulation):
 def test_every_file_of_dynamics_is_accounted_for():
     known = set(chain(SHARED, *FORMULATIONS.values()))
     assert {file.stem for file in (PACKAGE / "dynamics").glob("*.py")} == known
+
+
+def texts(file: Path) -> list[str]:
+    """The text constants of a file, parts of f-strings too, without docstrings."""
+    nodes = [*ast.walk(ast.parse(file.read_text(encoding="utf-8")))]
+    told = {id(node.value) for node in nodes if isinstance(node, ast.Expr)}
+    constants = [node for node in nodes if isinstance(node, ast.Constant) and id(node) not in told]
+    return [node.value for node in constants if isinstance(node.value, str)]
+
+
+@pytest.mark.parametrize("room", [*(room for room, _ in ROOMS if room != "commands"), "."])
+def test_only_commands_speak_of_the_command_line(room):
+    """Elsewhere an argument has its name in backquotes, see `InputError`."""
+    for file in sorted((PACKAGE / room).glob("*.py")):
+        if file.stem not in TOP:
+            options = [text for text in texts(file) if re.search("--[a-z]", text)]
+            assert not options, f"{file.name} says {options}"

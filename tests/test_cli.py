@@ -51,7 +51,7 @@ def test_output_that_exists_is_left_alone_until_asked(short, tmp_path, capsys):
 BAD = {
     "no scenario": (["simulate", "none.toml", "--output", "x.csv"], "cannot read none.toml"),
     "unknown model": (["simulate", "SHORT", "--output", "x.csv", "--model", "x"], "no model 'x'"),
-    "no step": (["simulate", "SHORT", "--output", "x.csv", "--step", "0"], "step must be > 0 s"),
+    "no step": (["simulate", "SHORT", "--output", "x.csv", "--step", "0"], "--step must be > 0 s"),
     "no folder": (["simulate", "SHORT", "--output", "none/x.csv"], "there is no folder none"),
     "size": (["film", "SHORT", "--output", "x.mp4", "--size", "big"], "must be like 1280x720"),
     "one model": (["compare", "SHORT", "--models", "mujoco"], "--models needs two or more"),

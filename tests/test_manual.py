@@ -20,6 +20,7 @@ import matplotlib as mpl
 import pytest
 import yaml
 from markdown_it import MarkdownIt
+from uv import find_uv_bin
 
 from kitemj.cli import _parser, main
 from kitemj.controls.settings import settings_of
@@ -52,6 +53,14 @@ OWN_FORMULAS = ("jet.py", "soft_stall.py")
 OWN_LAWS = ("jet", "soft-stall")
 """What they add."""
 GROUPS = {registry.group for registry in (*LAWS.values(), MODELS)} | {"kitemj.pilots"}
+INSTALLERS: dict[str, list[str]] = {
+    "pip": [sys.executable, "-m", "pip"],
+    "python3": [sys.executable],
+    "uv": [find_uv_bin()],
+    "uvx": [find_uv_bin(), "tool", "run"],
+    "conda": [],
+}
+"""Their commands are only parsed: by themselves, where they are here."""
 NOT_OURS = ("polars", "pandas")
 """Programs that read recordings, tried where they are."""
 KINDS = {"console", "python", "toml", "text"}
@@ -82,7 +91,7 @@ def blocks(page: Path) -> Iterator[Step]:
 
 def commands(block: Step) -> list[str]:
     """Lines to type: behind a prompt, or indented and of our own."""
-    ours = r"^\$ (.+)$" if block.kind == "console" else r"^((?:kitemj|make) .+?)(?: {2,}#.*)?$"
+    ours = r"^\$ (.+)$" if block.kind == "console" else r"^((?:kitemj|make|pip) .+?)(?: {2,}#.*)?$"
     return re.findall(ours, block.text, re.MULTILINE)
 
 
@@ -157,12 +166,23 @@ def type_in(words: list[str]) -> None:
             assert main([*words, *SHORTER.get(words[0], [])]) == 0
     elif program == "make":
         assert re.search(rf"^{rest[0]}:", (ROOT / "Makefile").read_text(), re.MULTILINE)
+    elif program in INSTALLERS:
+        parse_only(program, rest)
     elif program == ".":
-        assert rest == [".venv/bin/activate"]
+        assert re.fullmatch(r"(\.venv|kite)/bin/activate", rest[0])
     elif program == ".venv/bin/python":
         assert (ROOT / rest[0]).is_file()
     else:
         assert program.removeprefix(".venv/bin/") in PROJECT["dependency-groups"]["dev"]
+
+
+def parse_only(program: str, words: list[str]) -> None:
+    """The installers' own parsers see nothing wrong, and what is to be installed is there."""
+    if parser := INSTALLERS[program]:
+        words = words[: words.index("kitemj")] if "kitemj" in words else words
+        done = subprocess.run([*parser, *words, "--help"], capture_output=True, check=False)
+        assert done.returncode == 0, done.stderr.decode()
+    assert words[0] in ("create", "activate") or {".", "kite"} & set(words)
 
 
 def expanded(word: str) -> list[str]:

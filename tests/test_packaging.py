@@ -1,13 +1,18 @@
-"""What a user installs: the version, the pins of requirements.lock, the files in the wheel."""
+"""What a user installs: the version, the pins of requirements.lock, the files in both packages."""
 
+import os
 import re
+import subprocess
+import sys
 import tomllib
 from importlib.metadata import version
 from itertools import chain
 from pathlib import Path
+from tarfile import TarFile
 from zipfile import ZipFile
 
 import pytest
+from hatchling.builders.sdist import SdistBuilder
 from hatchling.builders.wheel import WheelBuilder
 from packaging.requirements import Requirement
 
@@ -60,16 +65,66 @@ def test_lock_pins_every_line_and_names_no_host() -> None:
     assert not re.search(r"://|^\s*-|@", LOCK, re.MULTILINE)
 
 
-def test_wheel_carries_models_parameter_sets_and_types(tmp_path: Path) -> None:
-    [wheel] = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
-    names = ZipFile(wheel).namelist()
-    assert {name.split("/")[0] for name in names} == {
-        "kitemj",
-        f"kitemj-{version('kitemj')}.dist-info",
-    }
-    carried = {name for name in names if name.startswith("kitemj/")}
-    data = [*ROOT.glob("models/*"), *ROOT.glob("kitemj/physics/sets/*.toml")]
-    assert data
-    for file in data:
-        assert str(file.relative_to(ROOT)).replace("models/", "kitemj/models/") in carried
-    assert "kitemj/py.typed" in carried
+SHIPPED = [
+    file.relative_to(ROOT).as_posix()
+    for folder in ("models", "scenarios", "studies")
+    for file in (ROOT / folder).glob("**/*.*")
+]
+"""Of the checkout; in the wheel they are in ``kitemj/data``."""
+READ_THEM = """
+from kitemj.controls.programmed import read_programmed_stick
+from kitemj.dynamics.engine import build
+from kitemj.flight.scenario import read_scenario
+from kitemj.studies.study import read_study
+
+parameters = read_scenario("steer_200m").parameters
+build(parameters, 0.002)
+read_programmed_stick("loop_right", parameters)
+print(read_study("studies/wind_and_steering.toml").base.source)
+"""
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> ZipFile:
+    folder = tmp_path_factory.mktemp("wheel")
+    return ZipFile(
+        next(WheelBuilder(str(ROOT)).build(directory=str(folder), versions=["standard"]))
+    )
+
+
+def test_wheel_carries_data_parameter_sets_and_types(wheel: ZipFile) -> None:
+    sets = [str(file.relative_to(ROOT)) for file in ROOT.glob("kitemj/physics/sets/*.toml")]
+    data = [f"kitemj/data/{name}" for name in SHIPPED]
+    assert len(sets) > 2
+    assert len(data) > 9
+    assert {*sets, *data, "kitemj/py.typed"} <= set(wheel.namelist())
+    roots = {name.split("/")[0] for name in wheel.namelist()}
+    assert roots == {"kitemj", f"kitemj-{version('kitemj')}.dist-info"}
+
+
+def test_sdist_carries_what_the_wheel_is_built_from(tmp_path: Path, wheel: ZipFile) -> None:
+    [sdist] = SdistBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
+    with TarFile.open(sdist) as file:
+        carried = {name.partition("/")[2] for name in file.getnames()}
+    packaged = [name for name in wheel.namelist() if ".dist-info/" not in name]
+    assert {"pyproject.toml", "LICENSE", "README.md", *SHIPPED} <= carried
+    assert {name.replace("kitemj/data/", "") for name in packaged} <= carried
+
+
+def test_an_installed_wheel_finds_its_data_from_anywhere(wheel: ZipFile, tmp_path: Path) -> None:
+    wheel.extractall(tmp_path / "site")
+    (tmp_path / "empty").mkdir()
+    for words, status, said in (
+        (["-c", READ_THEM], 0, "wind_and_steering.toml"),
+        (["-m", "kitemj", "thesis", "--output", "report"], 2, "the report is made in the repo"),
+    ):
+        done = subprocess.run(
+            [sys.executable, *words],
+            cwd=tmp_path / "empty",
+            env=os.environ | {"PYTHONPATH": str(tmp_path / "site")},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.returncode == status, done.stderr
+        assert said in done.stdout + done.stderr

@@ -99,7 +99,7 @@ def check_film(path: Path, width: int, height: int, rate: int) -> None:
         raise InputError(f"a film of {width} x {height} pixels: both numbers must be even, > 0")
     if rate < 1 or (kind == ".gif" and rate > GIF_RATE):
         limit = f"1 to {GIF_RATE}" if kind == ".gif" else "at least 1"
-        raise InputError(f"a film of {rate} frames/s: it must be {limit} (--rate)")
+        raise InputError(f"`rate` must be {limit} frames/s, got {rate}")
 
 
 def _palettes(width: int, height: int, rate: int) -> Graph:

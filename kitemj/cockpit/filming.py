@@ -34,7 +34,7 @@ def check_output(path: Path, style: FilmStyle, still: bool, overwrite: bool) -> 
     if not still:
         check_film(path, *style.size, style.rate)
     if not 0.0 < style.speed <= 1000.0:
-        raise InputError(f"--speed must be > 0 and <= 1000, got {style.speed:g}")
+        raise InputError(f"`speed` must be > 0 and <= 1000, got {style.speed:g}")
 
 
 def film(
@@ -59,7 +59,7 @@ def film(
     longest = max(source.duration for source in sources)
     end = longest if end is None else min(end, longest)
     if not 0.0 <= start < end:
-        raise InputError(f"--from must be >= 0 s and before the end at {end:g} s, got {start:g} s")
+        raise InputError(f"`start` must be >= 0 s and before the end at {end:g} s, got {start:g} s")
     count = int((end - start) / style.speed * style.rate + 1e-6) + 1
     times = [start + i * style.speed / style.rate for i in range(count)]
     shots = ([source.shot(t, style.speed) for source in sources] for t in times)
@@ -83,7 +83,7 @@ def still(
     """Writes the picture at `t` [s] as a PNG file."""
     longest = max(source.duration for source in sources)
     if not 0.0 <= t <= longest + 1e-9:
-        raise InputError(f"--still must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")
+        raise InputError(f"`still` must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")
     with Painter(_stage(sources, style)) as painter, new_file(path, overwrite) as part:
         frame = painter.paint([source.shot(t, style.speed) for source in sources])
         part.write_bytes(_png(frame))

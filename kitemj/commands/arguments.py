@@ -9,6 +9,7 @@ from kitemj.dynamics.formulation import MODELS as REGISTRY
 from kitemj.errors import InputError
 
 MODELS = tuple(REGISTRY.shipped)
+SCENARIO = "a scenario file (TOML), or the name of one that ships: steer_200m"
 RAW = argparse.RawDescriptionHelpFormatter
 
 
@@ -18,6 +19,11 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Exit status 2."""
         self.exit(2, f"kitemj: {message}; see {self.prog} --help\n")
+
+    @property
+    def words(self) -> dict[str, str]:
+        """What a person types for an argument: `--step` for step."""
+        return {each.dest: each.option_strings[0] for each in self._actions if each.option_strings}
 
 
 def command(
@@ -34,7 +40,13 @@ def command(
         metavar="MODULE",
         help="a module of your own, which adds laws of the air, winds, models or pilots",
     )
+    parser.set_defaults(parser=parser)
     return parser
+
+
+def add_json(parser: Parser) -> None:
+    """``--json``."""
+    parser.add_argument("--json", action="store_true", help="print one JSON document, for machines")
 
 
 def add_step(parser: Parser) -> None:

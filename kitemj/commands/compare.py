@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, Parser, add_step, command
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_json, add_step, command
 from kitemj.errors import InputError
 
 
@@ -15,7 +15,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "fly a scenario through the models and print how far apart they are",
         "kitemj compare scenarios/steer_200m.toml",
     )
-    parser.add_argument("scenario", type=Path, nargs="+", help="scenario files (TOML)")
+    parser.add_argument("scenario", type=Path, nargs="+", help=SCENARIO)
     parser.add_argument(
         "--models", default=",".join(MODELS), metavar="A,B", help="the last one is the reference"
     )
@@ -24,6 +24,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     )
     parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="write the table as well")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE.md if it exists")
+    add_json(parser)
     add_step(parser)
     parser.set_defaults(run=run)
 
@@ -31,31 +32,36 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.files import check_new, new_file
+    from kitemj.flight import compare_table as as_table
     from kitemj.flight.compare import compare_models
-    from kitemj.flight.compare_table import (
-        ladders_markdown,
-        markdown,
-        print_ladders,
-        print_table,
-    )
     from kitemj.flight.ladder import ladder
     from kitemj.flight.scenario import read_scenario
+    from kitemj.tables import json_text, markdown, print_table
 
     if args.markdown:
         check_new(args.markdown, args.overwrite)
     scenarios = [read_scenario(path) for path in args.scenario]
     if args.ladder:
         rungs = {each.source: ladder(each, args.step) for each in scenarios}
-        print_ladders(rungs)
-        text, good = ladders_markdown(rungs), all(r.holds for each in rungs.values() for r in each)
+        shown = [as_table.ladder_table(*each) for each in rungs.items()]
+        numbers, tolerances = as_table.ladder_numbers(rungs), {}
+        text = "\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in shown)
     else:
         models = args.models.split(",")
         if len(models) < 2:
             raise InputError(f"--models needs two or more, got {args.models!r}")
         rows = [row for each in scenarios for row in compare_models(each, models, args.step)]
-        print_table(rows)
-        text, good = markdown(rows), all(row.agrees for row in rows)
+        shown = [as_table.comparison_table(rows)]
+        numbers, tolerances = as_table.comparison_numbers(rows), as_table.TOLERANCES
+        text = f"{markdown(shown[0])}\n{as_table.TOLERANCES_TOLD}\n"
+    if args.json:
+        print(json_text([numbers], {"tolerances": tolerances} if tolerances else {}))
+    else:
+        for table in shown:
+            print_table(table, most=len(table.columns))
+        if tolerances:
+            print(as_table.TOLERANCES_TOLD)
     if args.markdown:
         with new_file(args.markdown, args.overwrite) as part:
             part.write_text(text, encoding="utf-8")
-    return 0 if good else 1
+    return 0 if all(row[-1] for row in numbers.rows) else 1

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import MODELS, Parser, add_picture, command, size
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_picture, command, size
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "film a scenario or a recording with no screen; two of them, or two models, side by side",
         "kitemj film scenarios/loops_20m.toml --output kite.mp4",
     )
-    parser.add_argument("source", type=Path, nargs="+", help="scenarios (TOML) or recordings")
+    parser.add_argument("source", type=Path, nargs="+", help=f"a recording, or {SCENARIO}")
     parser.add_argument("--output", type=Path, required=True, metavar="FILE", help=".mp4 or .gif")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE if it exists")
     parser.add_argument(
@@ -69,7 +69,7 @@ def _source(
     from kitemj.recording.file import read_recording
     from kitemj.recording.replay import replay
 
-    if path.suffix.lower() == ".toml":
+    if path.suffix.lower() == ".toml" or not (path.suffix or path.exists()):
         step = args.step or DEFAULT_STEP
         return ScenarioSource(read_scenario(path), model or "mujoco", step, interval)
     recording = read_recording(path)

@@ -6,7 +6,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import MODELS, Parser, add_picture, add_step, command, size
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_picture, add_step, command, size
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "W/S or the right stick: let out and take in. F1 shows all keys, Esc leaves.\n\n"
         f"{parser.epilog}"
     )
-    parser.add_argument("scenario", type=Path, nargs="?", help="a scenario file (TOML)")
+    parser.add_argument("scenario", type=Path, nargs="?", help=SCENARIO)
     parser.add_argument(
         "--kite",
         default="sport",
@@ -175,6 +175,7 @@ def _film_path(args: argparse.Namespace) -> Path:
 
 def _scenario(args: argparse.Namespace) -> "Scenario":
     """The scenario of the file, or the kite in its own wind; with the arms that are asked for."""
+    from kitemj.data_files import SCENARIOS, shipped_or_file
     from kitemj.flight.reach import reach
     from kitemj.flight.scenario import read_scenario, scenario_of
     from kitemj.physics.parameter_files import read_toml
@@ -182,7 +183,8 @@ def _scenario(args: argparse.Namespace) -> "Scenario":
     if args.scenario is not None:
         scenario = read_scenario(args.scenario)
     elif args.kite.endswith(".toml"):
-        scenario = scenario_of({"duration": 60.0} | read_toml(Path(args.kite)), args.kite)
+        path = shipped_or_file(args.kite, SCENARIOS)
+        scenario = scenario_of({"duration": 60.0} | read_toml(path), args.kite)
     else:
         scenario = scenario_of({"set": args.kite, "duration": 60.0}, f"the kite {args.kite}")
     if args.arm is None:

@@ -1,14 +1,8 @@
 """`kitemj reach`: what arms can do to two lines."""
 
 import argparse
-from pathlib import Path
-from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import Parser, command
-from kitemj.errors import InputError
-
-if TYPE_CHECKING:
-    from kitemj.physics.parameters import Parameters
+from kitemj.commands.arguments import Parser, add_json, command
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -20,32 +14,24 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "kitemj reach thesis --arm 0.25 --length 200",
     )
     parser.add_argument(
-        "kite", nargs="?", default="sport", metavar="SET|FILE", help="a set, or a scenario file"
+        "kite", nargs="?", default="sport", metavar="SET|FILE", help="a set, or a scenario"
     )
     parser.add_argument("--arm", type=float, metavar="M", help="to each side, default: the set's")
     parser.add_argument("--length", type=float, metavar="M", help="of each line, L₀")
     parser.add_argument("--attachments", type=float, metavar="M", help="between them, 2 Y_A")
+    add_json(parser)
     parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.flight.reach import reach_of, told
+    from kitemj.flight.reach import COLUMNS, reach_of, told
+    from kitemj.flight.scenario import parameters_named
+    from kitemj.tables import json_text
 
-    parameters = _parameters(args.kite)
+    parameters = parameters_named(args.kite)
     own = (parameters.stick.arm, parameters.lines.length, 2 * parameters.kite.y_A)
     given = (args.arm, args.length, args.attachments)
-    print(told(reach_of(*(a if b is None else b for a, b in zip(own, given, strict=True)))))
+    found = reach_of(*(a if b is None else b for a, b in zip(own, given, strict=True)))
+    print(json_text([], dict(zip(COLUMNS, found, strict=True))) if args.json else told(found))
     return 0
-
-
-def _parameters(name: str) -> "Parameters":
-    """Those of the named set, or of the scenario in a file."""
-    from kitemj.flight.scenario import read_scenario
-    from kitemj.physics.parameter_files import parameter_set, set_names
-
-    if name in set_names():
-        return parameter_set(name)
-    if not Path(name).exists():
-        raise InputError(f"there is no set or file {name!r}; sets: {', '.join(set_names())}")
-    return read_scenario(Path(name)).parameters

@@ -1,11 +1,11 @@
 """What `kitemj trim` and `kitemj stability` do with what they find: show, write, draw."""
 
 import argparse
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import Parser
+from kitemj.commands.arguments import Parser, add_json
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -14,12 +14,13 @@ if TYPE_CHECKING:
 
 
 def add_results(parser: Parser) -> None:
-    """``--output`` and ``--save``."""
+    """``--output``, ``--save`` and ``--json``."""
     parser.add_argument(
         "--output", type=Path, metavar="FILE", help="numbers: .json, .csv or .parquet"
     )
     parser.add_argument("--save", type=Path, metavar="FIGURE", help="figure: .png, .pdf, .svg")
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+    add_json(parser)
 
 
 def check_results(args: argparse.Namespace) -> None:
@@ -40,14 +41,28 @@ def give_results(
     tables: "list[Table]",
     extra: Mapping[str, object],
     figure: "Callable[[], Figure]",
+    notes: Sequence[str] = (),
     show: bool = True,
 ) -> None:
-    """Prints the tables, writes the numbers, draws the figure: what of it was asked for."""
-    from kitemj.plots.figure_files import save_figures
-    from kitemj.tables import print_table, write
+    """Prints notes and tables, writes the numbers, draws the figure: what of it was asked for.
 
-    for table in tables if show else []:
-        print_table(table)
+    args: of `add_results`
+    tables: what was found
+    extra: goes into JSON beside the tables
+    figure: draws it
+    notes: sentences above the tables
+    show: whether the tables are short enough to be printed for people
+    """
+    from kitemj.plots.figure_files import save_figures
+    from kitemj.tables import json_text, print_table, write
+
+    if args.json:
+        print(json_text(tables, {**extra, "notes": [note for note in notes if note]}))
+    else:
+        for note in notes:
+            print(note)
+        for table in tables if show else []:
+            print_table(table)
     if args.output:
         write(args.output, tables, extra, args.overwrite)
     if args.save:

@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, Parser, add_step, command
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_step, command
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -15,7 +15,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "fly a scenario with no screen and write a table",
         "kitemj simulate scenarios/steer_200m.toml --model lagrange --output flight.csv",
     )
-    parser.add_argument("scenario", type=Path, help="a scenario file (TOML)")
+    parser.add_argument("scenario", type=Path, help=SCENARIO)
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     parser.add_argument("--output", type=Path, required=True, metavar="FILE.csv")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE.csv if it exists")

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import MODELS, Parser, command, number
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, command, number
 from kitemj.commands.results import add_results, check_results, give_results
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "linearise about the equilibrium; where stability is lost; the cycle beyond",
         "kitemj stability scenarios/rest_200m.toml --vary aero.Cl_beta --range -0.6 0.0",
     )
-    parser.add_argument("scenario", type=Path, help="a scenario file (TOML)")
+    parser.add_argument("scenario", type=Path, help=SCENARIO)
     parser.add_argument("--model", default="lagrange", help=f"one of {', '.join(MODELS)}")
     parser.add_argument("--vary", metavar="NAME", help="find where this parameter loses stability")
     parser.add_argument("--range", nargs=2, type=float, metavar=("A", "B"), help="its range")
@@ -61,9 +61,12 @@ def _modes(args: argparse.Namespace, scenario: "Scenario") -> int:
 
     held = lines_held(scenario.parameters, scenario.programme)
     found = stability(scenario.parameters, *held, args.model, scenario.source)
-    print("stable" if found.stable else "not stable", tables.v_ref_note(found.V_ref), sep="; ")
-    linear = {"linear system": tables.matrices(found.linear)}
-    give_results(args, [tables.mode_table(found)], linear, lambda: plots.modes_figure(found))
+    notes = [f"{'stable' if found.stable else 'not stable'}; {tables.v_ref_note(found.V_ref)}"]
+    linear: dict[str, object] = {"linear system": tables.matrices(found.linear)}
+    if args.json:
+        linear["stable"] = found.stable
+    shown = [tables.mode_table(found)]
+    give_results(args, shown, linear, lambda: plots.modes_figure(found), notes)
     return 0
 
 
@@ -75,9 +78,9 @@ def _vary(args: argparse.Namespace, scenario: "Scenario") -> int:
     parameters, (low, high) = scenario.parameters, args.range
     ell, delta = lines_held(parameters, scenario.programme)
     found = crossings(parameters, args.vary, low, high, ell, delta, args.model)
-    print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))
     here = stability(parameters, ell, delta, args.model, scenario.source)
-    give_results(args, [tables.crossing_table(found)], {}, lambda: plots.modes_figure(here))
+    shown, notes = [tables.crossing_table(found)], [_note(scenario)]
+    give_results(args, shown, {}, lambda: plots.modes_figure(here), notes)
     return 0
 
 
@@ -97,11 +100,10 @@ def _map(args: argparse.Namespace, scenario: "Scenario") -> int:
     )
     ell, delta = lines_held(scenario.parameters, scenario.programme)
     found = stability_map(scenario.parameters, *axes, args.points, ell=ell, delta=delta)
-    print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))
-    table = tables.map_table(found)
-    short = table if args.output else None
-    print(f"{len(table.rows)} points; write them with --output, draw them with --save")
-    give_results(args, [table] if short else [], {}, lambda: plots.map_figure(found), show=False)
+    table, notes = tables.map_table(found), [_note(scenario)]
+    if not args.json:
+        notes.append(f"{len(table.rows)} points; write them with --output, draw them with --save")
+    give_results(args, [table], {}, lambda: plots.map_figure(found), notes, show=False)
     return 0
 
 
@@ -112,10 +114,15 @@ def _cycle(args: argparse.Namespace, scenario: "Scenario") -> int:
 
     held = lines_held(scenario.parameters, scenario.programme)
     found = cycle(scenario.parameters, *held, args.model, scenario.source)
-    print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))
-    print(f"period {found.period:.7g} s")
+    notes = [_note(scenario), f"period {found.period:.7g} s"]
     if found.departure:
-        print(f"leaves the limits of validity at {found.departure}")
+        notes.append(f"leaves the limits of validity at {found.departure}")
     shown = [tables.cycle_table(found), tables.multiplier_table(found)]
-    give_results(args, shown, {"period_s": found.period}, lambda: plots.cycle_figure(found))
+    give_results(args, shown, {"period_s": found.period}, lambda: plots.cycle_figure(found), notes)
     return 0
+
+
+def _note(scenario: "Scenario") -> str:
+    from kitemj.stability.tables import v_ref_note
+
+    return v_ref_note(getattr(scenario.parameters.aero, "V_ref", None))

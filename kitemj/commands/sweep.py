@@ -28,7 +28,9 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "interrupted, the same command goes on where it was",
         "kitemj sweep studies/wind_and_steering.toml --output study.parquet",
     )
-    parser.add_argument("study", type=Path, help="a study file (TOML)")
+    parser.add_argument(
+        "study", type=Path, help="a study file (TOML), or the name of one that ships"
+    )
     parser.add_argument("--output", type=Path, required=True, metavar="FILE.parquet")
     parser.add_argument("--overwrite", action="store_true", help="start anew, whatever there is")
     parser.add_argument("--processes", type=int, metavar="N", help="default: one for each core")

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, Parser, command
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, command
 from kitemj.commands.results import add_results, check_results, give_results
 
 
@@ -15,7 +15,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "find every equilibrium of a scenario's kite in its steady wind, lines held",
         "kitemj trim scenarios/steer_80m.toml",
     )
-    parser.add_argument("scenario", type=Path, help="a scenario file (TOML)")
+    parser.add_argument("scenario", type=Path, help=SCENARIO)
     parser.add_argument("--models", default=",".join(MODELS), metavar="A,B", help="which models")
     add_results(parser)
     parser.set_defaults(run=run)

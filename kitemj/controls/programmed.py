@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 from kitemj.controls.actions import NAMES
 from kitemj.controls.settings import LAWS
 from kitemj.controls.stick_mapping import Deflections, command_of
+from kitemj.data_files import STICKS, shipped_or_file
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.live import Command
@@ -74,7 +75,7 @@ def show(parameters: Parameters) -> ProgrammedStick:
 
 
 def read_programmed_stick(path: Path, parameters: Parameters) -> ProgrammedStick:
-    """The stick of a table (CSV) whose first line names the columns.
+    """The stick of a table (CSV, or the name of one that ships); its first line names columns.
 
     ``t`` [s]; ``steer`` and ``reel``, or ``left`` and ``right`` for a stick for each line, in
     -1..1; ``law`` angle, rate or acceleration; ``buttons``, names of actions with ; between
@@ -82,6 +83,7 @@ def read_programmed_stick(path: Path, parameters: Parameters) -> ProgrammedStick
     # are skipped. Raises InputError with one sentence for whatever is wrong.
     """
     rows: list[Row] = []
+    path = shipped_or_file(path, STICKS)
     cells = list(_cells(path))
     columns = list(cells[0][1]) if cells else []
     for column in columns:

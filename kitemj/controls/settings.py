@@ -106,7 +106,7 @@ def check_writable(path: Path, overwrite: bool) -> None:
         if not overwrite:
             read_settings(path)
     except InputError as error:
-        raise InputError(f"{error}; mend it, or --overwrite to begin a new file") from None
+        raise InputError(f"{error}; mend it, or `overwrite` to begin a new file") from None
     folder = next(parent for parent in path.parents if parent.exists())
     if not folder.is_dir() or not os.access(folder, os.W_OK):
         raise InputError(f"the folder {folder} is not writable")

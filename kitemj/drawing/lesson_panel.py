@@ -9,13 +9,14 @@ import pygame
 from kitemj.drawing.panel import CALL, DIM, GOOD, INK, LEFT, NAME, RIGHT, TROUGH, WHITE, Panel
 from kitemj.drawing.text import Colour, width, wrapped
 from kitemj.pilots.course import LessonStatus
-from kitemj.pilots.crash import AGAIN, Touch
+from kitemj.pilots.crash import Touch
 
 HEIGHT, CARD_EDGE = 160, 14  # units
 GAP = 8  # units between things that lie above one another
 SIZES = (26, 24, 22, 20, 18)  # of the advice, the first that fits in two lines
 LEADING = 1.45  # of lines, in digit heights
 CHEVRONS = (0.1, 0.3, 0.7)  # of the stick's way, from which on each is lit
+START_AGAIN, FLY_AGAIN = "R or the pad's A button starts again", "R or A flies again"
 HINT = "N: next   B: begin again   Shift + key: fully"
 
 
@@ -30,7 +31,8 @@ def paint_lesson(
     number = f"Lesson {lesson.number} of {lesson.total}  ·  " if lesson.number else ""
     panel.text(number + lesson.title, middle, 20, NAME, WHITE, 0.5)
     panel.text(HINT, middle, HEIGHT - 16, NAME - 3, align=0.5)
-    size, lines = _fitting(lesson.advice, inner, unit)
+    advice = f"{lesson.advice}. {FLY_AGAIN}" if lesson.down else lesson.advice
+    size, lines = _fitting(advice, inner, unit)
     colour = GOOD if lesson.praised else WHITE
     for i, line in enumerate(lines):
         below = (i - (len(lines) - 1) / 2) * size * LEADING
@@ -107,7 +109,7 @@ def _card(touch: Touch, inner: float, unit: float) -> list[tuple[str, float, Col
         said.append((touch.reason, 16.0, DIM))
     facts = (f"First the {touch.part}", touch.pace, touch.place)
     said += [(fact, 18.0, WHITE) for fact in facts]
-    said.append((AGAIN, 20.0, CALL))
+    said.append((START_AGAIN, 20.0, CALL))
     return [
         (line, size, colour)
         for text, size, colour in said

@@ -104,7 +104,7 @@ def check_model(name: str, step: float) -> None:
     """Raises InputError for an unknown model, and a step [s] that is not positive, or too long."""
     MODELS.check(name)
     if not 0 < step <= MAX_STEP:
-        raise InputError(f"step must be > 0 s and <= {MAX_STEP} s, got {step} s")
+        raise InputError(f"`step` must be > 0 s and <= {MAX_STEP} s, got {step} s")
 
 
 def make_model(name: str, parameters: Parameters, step: float = DEFAULT_STEP) -> Model:

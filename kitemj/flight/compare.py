@@ -1,7 +1,6 @@
 """The same scenario through several models: how far apart they fly, and when."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from math import asin, sqrt
 from typing import NamedTuple
 
@@ -28,8 +27,7 @@ class Gap(NamedTuple):
     t: float
 
 
-@dataclass(frozen=True)
-class Comparison:
+class Comparison(NamedTuple):
     """Largest gaps of `model` to `reference`: position [m], attitude [rad], tension [N].
 
     `until` [s]: where a line of either goes slack or a kite touches the ground, or the end:

@@ -13,6 +13,9 @@ STEEPEST = 1.5
 THESIS_ARM, THESIS_LENGTH, THESIS_Y_A, THESIS_DELTA = 0.25, 200.0, 2.9, 0.1
 """m, m, m and rad: what the thesis prints for arms of ±25 cm, δ with one decimal."""
 
+COLUMNS = ("arm_m", "length_m", "attachments_m", "ell_rest_m", "ell_m", "delta_rad")
+"""Fields of `Reach`, for machines."""
+
 
 class Reach(NamedTuple):
     """One hand pulls its line by `arm`, the other lets out as much, and the kite is at (ℓ, δ).
@@ -42,17 +45,17 @@ def reach_of(arm: float, length: float, attachments: float) -> Reach:
     """
     for name, value in (("arm", arm), ("length", length), ("attachments", attachments)):
         if not (isfinite(value) and value > 0):
-            raise InputError(f"{name} must be > 0 m, got {value} m")
+            raise InputError(f"`{name}` must be > 0 m, got {value} m")
     y_A = attachments / 2
     if length <= y_A:
         raise InputError(
             f"lines of {length:g} m do not reach attachments {attachments:g} m apart: "
-            f"length must be > {y_A:g} m"
+            f"`length` must be > {y_A:g} m"
         )
     longest = longest_arm(length, attachments)
     if arm >= longest:
         raise InputError(
-            f"arm must be < {longest:.4g} m for attachments {attachments:g} m apart, "
+            f"`arm` must be < {longest:.4g} m for attachments {attachments:g} m apart, "
             f"got {arm:g} m: it would turn the kite over"
         )
     ell, delta = ell_delta(length + arm, length - arm, y_A)

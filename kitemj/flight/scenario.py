@@ -9,12 +9,13 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from kitemj.data_files import SCENARIOS, shipped_or_file
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import equilibrium_state
 from kitemj.physics.checked import checked, in_radians, unknown_key
 from kitemj.physics.frames import Angles
-from kitemj.physics.parameter_files import SECTIONS, parameter_set, read_toml
+from kitemj.physics.parameter_files import SECTIONS, parameter_set, read_toml, set_names
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.steering import Programme, Sines, Spline, rest_ell
@@ -71,9 +72,24 @@ class Scenario:
         return times
 
 
-def read_scenario(path: Path) -> Scenario:
-    """The scenario in a TOML file; raises InputError with one sentence for what is wrong."""
-    return scenario_of(read_toml(path), path.name)
+def read_scenario(path: str | Path) -> Scenario:
+    """The scenario in a TOML file, or of those that ship the one of this name.
+
+    Raises InputError with one sentence for what is wrong.
+    """
+    found = shipped_or_file(path, SCENARIOS)
+    return scenario_of(read_toml(found), found.name)
+
+
+def parameters_named(name: str) -> Parameters:
+    """Those of the parameter set `name`, or of the scenario in the file of this name."""
+    if name in set_names():
+        return parameter_set(name)
+    try:
+        path = shipped_or_file(name, SCENARIOS)
+    except InputError as error:
+        raise InputError(f"{error}; sets: {', '.join(set_names())}") from None
+    return read_scenario(path).parameters
 
 
 def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:

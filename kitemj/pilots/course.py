@@ -53,7 +53,8 @@ LESSONS = (
 class LessonStatus(NamedTuple):
     """What a panel shows of the course: lesson `number` of `total`, 0 when all are passed.
 
-    `push` in -1..1 is where the stick should be, right positive; `progress` in 0..1.
+    `push` in -1..1 is where the stick should be, right positive; `progress` in 0..1; `down`:
+    the kite lies on the ground, and the lesson waits for another flight.
     """
 
     number: int
@@ -63,6 +64,7 @@ class LessonStatus(NamedTuple):
     push: float
     progress: float
     praised: bool
+    down: bool = False
 
 
 class Course:
@@ -102,17 +104,16 @@ class Course:
     @property
     def status(self) -> LessonStatus:
         """What is to be shown now."""
-        entry, total = self.lesson, len(LESSONS)
+        entry, total, number = self.lesson, len(LESSONS), self._index + 1
         title = entry.title if entry else "All lessons"
         if self._t < self._praise:
             text = f"Well done! {self._praised}"
-            return LessonStatus(self._index + 1, total, title, text, 0.0, 1.0, True)
-        if not entry:
-            return LessonStatus(0, total, title, self._down or FINISHED, 0.0, 1.0, False)
-        now = Advice(self._down, 0.0) if self._down else self._shown
-        return LessonStatus(
-            self._index + 1, total, title, now.text, now.push, self._progress, False
-        )
+            return LessonStatus(number, total, title, text, 0.0, 1.0, True)
+        progress = self._progress if entry else 1.0
+        if self._down:
+            return LessonStatus(number, total, title, self._down, 0.0, progress, False, True)
+        now = self._shown if entry else Advice(FINISHED, 0.0)
+        return LessonStatus(number, total, title, now.text, now.push, progress, False)
 
     def watch(self, motion: Motion, crashed: bool = False) -> None:
         """The next motion; `crashed` where the caller knows of a crash."""
@@ -128,7 +129,7 @@ class Course:
         self._progress = advice.progress
         if touch or crashed:
             gentle = touch is not None and touch.gentle and not crashed
-            self._down = f"{'A soft landing' if gentle else NEVER_MIND}. R or A flies again"
+            self._down = "A soft landing" if gentle else NEVER_MIND
         if advice.progress >= 1.0:
             self._pass()
         elif advice.text != self._shown.text and motion.t - self._since >= READING:

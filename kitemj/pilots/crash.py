@@ -16,8 +16,6 @@ from kitemj.physics.vectors import Vector, cross, norm, plus, unrotated
 SOFT = 3.0
 """m/s; no faster is a landing: a fall from half a metre."""
 
-AGAIN = "R or the pad's A button starts again"
-
 DAMAGES = (
     (6.0, "Nothing broke, but it will have grass stains"),
     (9.0, "A spreader popped out of its fitting"),
@@ -85,7 +83,7 @@ class Touch:
         """All of it in a line."""
         guess = "" if self.gentle else f" ({self.reason})"
         how = f"The {self.part} touched first, {self.pace}, {self.place}"
-        return f"{self.damage}{guess}. {how}. {AGAIN}."
+        return f"{self.damage}{guess}. {how}."
 
 
 def touch_at(parameters: Parameters, motion: Motion, before: Motion | None = None) -> Touch | None:

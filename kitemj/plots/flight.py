@@ -116,5 +116,5 @@ def flight_of_recording(recording: Recording, episode: int = 0) -> Flight:
 def _has(column: str) -> str:
     """The kinds of files that would have the column, as text."""
     if column in COLUMNS:
-        return "the tables of kitemj simulate and kitemj replay --export have it"
-    return "a recording, its table (kitemj replay --export) and a scenario have it"
+        return "the tables of simulations and recordings have it"
+    return "a recording, its exported table and a scenario have it"

@@ -1,12 +1,10 @@
 """The kite that flew a table, found by its attachments, as a table has no parameters."""
 
-from pathlib import Path
-
 import numpy as np
 
 from kitemj.dynamics.motion import Body, attachment_E
 from kitemj.errors import InputError
-from kitemj.flight.scenario import read_scenario
+from kitemj.flight.scenario import parameters_named
 from kitemj.physics.frames import R_BE, Angles
 from kitemj.physics.parameter_files import parameter_set, set_names
 from kitemj.physics.parameters import Parameters
@@ -30,19 +28,19 @@ def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters]:
     Those of `table` are not looked at. Raises InputError where its lines do not end at that
     kite, or at none, or where it lacks the columns to tell and no kite is given.
     """
-    kites = {kite: _named(kite)} if kite else _sets()
+    kites = {kite: parameters_named(kite)} if kite else _sets()
     lacks = [name for name in (*POSE, *TENSIONS, *LENGTHS) if name not in table.columns]
     if lacks and not kite:
         raise InputError(
             f"{table.name} does not say which kite flew it, and lacks the column {lacks[0]}, which "
-            f"would tell: say --kite with {', '.join(set_names())}, or with a scenario's file"
+            f"would tell: give `kite`: one of {', '.join(set_names())}, or a scenario's file"
         )
     gaps = {name: 0.0 if lacks else line_gap(kites[name], table) for name in kites}
     best = min(gaps, key=lambda name: gaps[name])
     if gaps[best] > FITS:
         raise InputError(
             f"{table.name} was not flown by {' or '.join(kites)}: its lines end {gaps[best]:.2g} m "
-            f"from where they should; say --kite with another set, or with its scenario's file"
+            f"from where they should; give another `kite`: a set, or its scenario's file"
         )
     return best, kites[best]
 
@@ -64,11 +62,6 @@ def line_gap(parameters: Parameters, table: Flight) -> float:
 def _sets() -> dict[str, Parameters]:
     names = [DEFAULT, *(name for name in set_names() if name != DEFAULT)]
     return {name: parameter_set(name) for name in names}
-
-
-def _named(kite: str) -> Parameters:
-    path = Path(kite)
-    return read_scenario(path).parameters if path.suffix == ".toml" else parameter_set(kite)
 
 
 def _body(pose: Array) -> Body:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kitemj.data_files import SCENARIOS, shipped_or_file
 from kitemj.errors import InputError
 from kitemj.flight.limits import Ending
 from kitemj.flight.scenario import Scenario, read_scenario
@@ -38,18 +39,20 @@ def read_flight(path: Path, model: str = "", episode: int = 0, kite: str = "") -
     a recording or its table; `kite`, a set or a scenario's file, that of a table. Raises
     InputError for a file that holds no flight and for a choice that means nothing with it.
     """
+    if path.suffix.lower() in ("", SCENARIO):
+        path = shipped_or_file(path, SCENARIOS)
     if not path.is_file():
         what = "is a folder" if path.is_dir() else "does not exist"
         raise InputError(f"{path} {what}; give {KINDS}")
     kind = path.suffix.lower()
     if model and kind != SCENARIO:
-        raise InputError(f"--model is for a scenario; what {path.name} holds is flown already")
+        raise InputError(f"`model` is for a scenario; what {path.name} holds is flown already")
     if episode and kind == SCENARIO:
         raise InputError(
-            f"--leg is for a recording; {path.name} is a scenario, which is one flight"
+            f"`episode` is for a recording; {path.name} is a scenario, which is one flight"
         )
     if kite and kind not in TABLES:
-        raise InputError(f"--kite is for a table; {path.name} says itself which kite flew")
+        raise InputError(f"`kite` is for a table; {path.name} says itself which kite flew")
     if kind == SCENARIO:
         return _simulated(read_scenario(path), model or "lagrange")
     return _tabled(path, episode, kite) if kind in TABLES else _recorded(path, episode)
@@ -94,10 +97,10 @@ def _tabled(path: Path, episode: int, kite: str) -> Found:
 def _episode(path: Path, episodes: list[slice], asked: int) -> tuple[int, list[str]]:
     """The number of the flight (from 0), and what is to be said of the choice."""
     if not 0 <= asked <= len(episodes):
-        raise InputError(f"--leg must be 1 to {len(episodes)} for {path.name}, got {asked}")
+        raise InputError(f"`episode` must be 1 to {len(episodes)} for {path.name}, got {asked}")
     if asked or len(episodes) == 1:
         return max(0, asked - 1), []
     longest = max(range(len(episodes)), key=lambda i: episodes[i].stop - episodes[i].start)
     return longest, [
-        f"{path.name} holds {len(episodes)} flights; drawn is the longest, --leg {longest + 1}"
+        f"{path.name} holds {len(episodes)} flights; drawn is the longest, flight {longest + 1}"
     ]

@@ -20,7 +20,7 @@ def check_windows() -> None:
     if pyplot.get_backend().lower() not in registry.list_builtin(BackendFilter.INTERACTIVE):
         raise InputError(
             "there is no display to show figures on (or no toolkit to open a window with, such as "
-            "tkinter or PySide6): say --save NAME.png"
+            "tkinter or PySide6): give `save` a name such as flight.png"
         )
 
 

@@ -141,7 +141,7 @@ def fly(link: Connection, told: Any) -> None:
     try:
         end = _flown(setup, link, told)
     except InputError as error:
-        end = End("none", str(error), bad_input=True)
+        end = End("none", error.args[0], bad_input=True)
     except Exception as error:
         end = End("none", str(error))
     told.put(end)

@@ -41,7 +41,7 @@ def resume_point(recording: Recording, at: float | None = None) -> ResumePoint:
     end = (len(way) - 1) * tick
     if at is not None and not 0.0 <= at <= end:
         raise InputError(
-            f"--at must be in 0 to {end:g} s, the last flight of {recording.path}, got {at:g} s"
+            f"`at` must be in 0 to {end:g} s, the last flight of {recording.path}, got {at:g} s"
         )
     rows = way[: len(way) if at is None else round(at / tick) + 1]
     sticks = [recording.columns[name][rows].tolist() for name in STICK]

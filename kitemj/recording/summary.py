@@ -9,6 +9,7 @@ from kitemj.dynamics.formulation import MODELS
 from kitemj.errors import InputError
 from kitemj.flight.limits import left_limits
 from kitemj.physics.parameter_files import parameter_set, parameter_tables, set_names
+from kitemj.physics.parameters import Limits
 from kitemj.recording.file import Recording
 from kitemj.recording.header import Header
 from kitemj.recording.replay import Replay
@@ -16,13 +17,63 @@ from kitemj.recording.replay import Replay
 BROKEN_OFF = "unknown: the file breaks off (the program was stopped, or the disk was full)"
 
 
+def facts(recording: Recording) -> dict[str, Any]:
+    """What a recording holds, for machines; units in the names, None for what is not known."""
+    header = recording.header
+    late = recording.columns["lateness_s"][recording.columns["tick"] > 0]
+    return {
+        "recording": str(recording.path),
+        "size_MB": recording.path.stat().st_size / 1e6,
+        "written": header.written,
+        "scenario": header.scenario,
+        "model": header.model,
+        "reference": header.reference,
+        "step_s": header.step,
+        "tick_s": header.tick,
+        "parameters": header.parameters,
+        "seeds": header.seeds,
+        "versions": header.versions,
+        "rows": len(recording),
+        "flights": [_flight(recording, episode) for episode in recording.episodes],
+        "ticks": len(late),
+        "missed_ticks": int((late > header.tick).sum()),
+        "lateness_median_s": float(np.median(late)) if len(late) else None,
+        "lateness_worst_s": float(late.max()) if len(late) else None,
+        "ending": recording.ending or None,
+    }
+
+
+def _flight(recording: Recording, episode: slice) -> dict[str, Any]:
+    """How long, how far from the reference, how close to each limit, where it left them."""
+    columns = {name: values[episode] for name, values in recording.columns.items()}
+    pulls = np.stack([columns["tension_plus_N"], columns["tension_minus_N"]]) + 0.0
+    gaps = columns["gap_m"][np.isfinite(columns["gap_m"])]
+    followed = columns["t_s"][np.isfinite(columns["gap_m"])]
+    left = recording.departure(episode)
+    return {
+        "duration_s": float(columns["t_s"][-1]),
+        "gap_m": float(gaps.max()) if len(gaps) else None,
+        "followed_until_s": float(followed[-1]) if len(gaps) else None,
+        "alpha_min_deg": float(columns["alpha_deg"].min()),
+        "alpha_max_deg": float(columns["alpha_deg"].max()),
+        "beta_min_deg": float(columns["beta_deg"].min()),
+        "beta_max_deg": float(columns["beta_deg"].max()),
+        "tension_min_N": float(pulls.min()),
+        "tension_max_N": float(pulls.max()),
+        "departure_s": left.t if left else None,
+        "departure": left.limit.name if left else None,
+        "departure_reading": left.reading if left else None,
+    }
+
+
 def summary(recording: Recording) -> str:
     """All that `kitemj info` prints."""
-    header = recording.header
-    rows, size = len(recording), recording.path.stat().st_size / 1e6
+    held, header = facts(recording), recording.header
     seeds = ", ".join(f"{name} {seed}" for name, seed in header.seeds.items())
+    flights = len(held["flights"])
+    count = "one flight" if flights == 1 else f"{flights} flights, a restart between each"
     lines = [
-        ("recording", f"{recording.path}, {size:.1f} MB, written {header.written}"),
+        ("recording", f"{recording.path}, {held['size_MB']:.1f} MB, written {header.written}"),
         ("scenario", header.scenario),
         ("model", f"{header.model} beside {header.reference}, steps of {1e3 * header.step:g} ms"),
         ("parameters", parameters_in_words(header.parameters)),
@@ -36,12 +87,37 @@ def summary(recording: Recording) -> str:
         header.check(MODELS, header.model, recording.path.name)
     except InputError as error:
         lines.append(("", str(error)))
-    lines.append(("held", f"{rows} ticks of {1e3 * header.tick:g} ms, {_count(recording)}"))
-    for number, episode in enumerate(recording.episodes, start=1):
-        lines += [(f"flight {number}", text) for text in _episode(recording, episode)]
-    lines.append(("real time", _timekeeping(recording)))
-    lines.append(("ended", recording.ending or BROKEN_OFF))
+    lines.append(("held", f"{held['rows']} ticks of {1e3 * header.tick:g} ms, {count}"))
+    for number, flight in enumerate(held["flights"], start=1):
+        left = left_limits(recording.departure(recording.episodes[number - 1]))
+        told = (*_flight_in_words(flight, recording.parameters.limits), left)
+        lines += [(f"flight {number}", text) for text in told]
+    timekeeping = "no tick was flown"
+    if held["ticks"]:
+        median, worst = 1e3 * held["lateness_median_s"], 1e3 * held["lateness_worst_s"]
+        timekeeping = (
+            f"{held['missed_ticks']} of {held['ticks']} ticks missed, lateness median "
+            f"{median:.2f} ms, worst {worst:.1f} ms"
+        )
+    lines += [("real time", timekeeping), ("ended", recording.ending or BROKEN_OFF)]
     return "\n".join(f"{name:<12} {text}" for name, text in lines)
+
+
+def _flight_in_words(flight: dict[str, Any], limits: Limits) -> list[str]:
+    reference = "not followed by the reference"
+    if flight["gap_m"] is not None:
+        reference = (
+            f"at most {1e6 * flight['gap_m']:.3g} µm from the reference "
+            f"(followed to {flight['followed_until_s']:.2f} s)"
+        )
+    return [
+        f"{flight['duration_s']:.2f} s, {reference}",
+        f"α {flight['alpha_min_deg']:.2f}° to {flight['alpha_max_deg']:.2f}° "
+        f"(0° to {np.degrees(limits.alpha_stall):g}°), "
+        f"β {flight['beta_min_deg']:.2f}° to {flight['beta_max_deg']:.2f}° "
+        f"(±{np.degrees(limits.beta_max):g}°), lines {flight['tension_min_N']:.1f} N to "
+        f"{flight['tension_max_N']:.1f} N (0 N to {limits.tension_max:g} N)",
+    ]
 
 
 def parameters_in_words(tables: dict[str, Any]) -> str:
@@ -66,43 +142,6 @@ def changed_versions(header: Header) -> str:
     return ", ".join(f"{name} {here[name]}" for name in here if versions.get(name) != here[name])
 
 
-def _count(recording: Recording) -> str:
-    flights = len(recording.episodes)
-    return "one flight" if flights == 1 else f"{flights} flights, a restart between each"
-
-
-def _episode(recording: Recording, episode: slice) -> list[str]:
-    """How long, how far from the reference, how close to each limit, where it left them."""
-    columns = {name: values[episode] for name, values in recording.columns.items()}
-    limits = recording.parameters.limits
-    alpha, beta = columns["alpha_deg"], columns["beta_deg"]
-    pulls = np.stack([columns["tension_plus_N"], columns["tension_minus_N"]]) + 0.0
-    followed = np.isfinite(columns["gap_m"])
-    reference = "not followed by the reference"
-    if followed.any():
-        gap, until = np.nanmax(columns["gap_m"]), columns["t_s"][followed][-1]
-        reference = f"at most {1e6 * gap:.3g} µm from the reference (followed to {until:.2f} s)"
-    return [
-        f"{columns['t_s'][-1]:.2f} s, {reference}",
-        f"α {alpha.min():.2f}° to {alpha.max():.2f}° (0° to {np.degrees(limits.alpha_stall):g}°), "
-        f"β {beta.min():.2f}° to {beta.max():.2f}° (±{np.degrees(limits.beta_max):g}°), lines "
-        f"{pulls.min():.1f} N to {pulls.max():.1f} N (0 N to {limits.tension_max:g} N)",
-        left_limits(recording.departure(episode)),
-    ]
-
-
-def _timekeeping(recording: Recording) -> str:
-    flown = recording.columns["tick"] > 0
-    late = recording.columns["lateness_s"][flown]
-    if not len(late):
-        return "no tick was flown"
-    missed = int((late > recording.header.tick).sum())
-    return (
-        f"{missed} of {len(late)} ticks missed, lateness median {1e3 * np.median(late):.2f} ms, "
-        f"worst {1e3 * late.max():.1f} ms"
-    )
-
-
 def _number(value: Any) -> str:
     if isinstance(value, str):
         return value
@@ -123,7 +162,7 @@ def comparison(again: Replay) -> str:
         lines.append(f"beyond them  {_gap(again, comparable & ~valid)}")
     if not comparable.all():
         ticks = rows - int(comparable.sum())
-        lines.append(f"not compared {ticks} ticks after a slack line or the ground (kitemj info)")
+        lines.append(f"not compared {ticks} ticks after a slack line or the ground")
     if again.note:
         lines.append(f"broke off    {again.note}")
     return "\n".join(lines)

@@ -88,7 +88,7 @@ def cycle(
     if values[worst].real <= 0:
         raise InputError(
             f"the equilibrium is stable (largest real part {values[worst].real:.4g} 1/s): no "
-            f"cycle grows from it ({source}); --vary finds where its stability is lost"
+            f"cycle grows from it ({source}); vary a parameter to find where its stability is lost"
         )
     mode = vectors[:, worst]
     k = int(np.argmax(np.abs(mode[:4])))

@@ -202,7 +202,7 @@ def _no_change(parameters: Parameters, name: str, grid: Array, reals: Array) -> 
     missing = "" if known.all() else f" wherever it stands ({np.sum(known)} of {POINTS} values)"
     return InputError(
         f"the equilibrium is {what}{missing} {where}: no stability is lost (largest real part "
-        f"{np.nanmin(reals):.4g} to {np.nanmax(reals):.4g} 1/s); give another --range"
+        f"{np.nanmin(reals):.4g} to {np.nanmax(reals):.4g} 1/s); give another range"
     )
 
 

@@ -93,7 +93,7 @@ def local_executor(processes: int | None = None) -> Iterator[StudyExecutor]:
     """A process for each core that this one may use, unless `processes` says otherwise."""
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     if processes is not None and processes < 1:
-        raise InputError(f"--processes must be >= 1, got {processes}")
+        raise InputError(f"`processes` must be >= 1, got {processes}")
     executor = LocalExecutor(processes or cores or 1)
     try:
         yield executor
@@ -110,7 +110,7 @@ def dask_executor(address: str) -> Iterator[StudyExecutor]:
     try:
         from distributed import Client, KilledWorker
     except ImportError:
-        raise InputError('--scheduler needs dask: pip install "kitemj[cluster]"') from None
+        raise InputError('a cluster needs dask: pip install "kitemj[cluster]"') from None
     try:
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:

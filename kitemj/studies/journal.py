@@ -63,8 +63,8 @@ class Journal:
                 fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except OSError:
                 raise InputError(
-                    f"another command is writing to {self.path}; wait for it, or give another "
-                    f"--output"
+                    f"another command is writing to {self.path}; wait for it, or write another "
+                    f"table"
                 ) from None
 
     def _read(self) -> int:
@@ -75,7 +75,7 @@ class Journal:
         if first != self._header:
             raise InputError(
                 f"{self.path} was begun by another study, or by other formulas; "
-                f"give another --output, or --overwrite to start anew"
+                f"write another table, or `overwrite` to start anew"
             )
         end = len(first)
         for line in self._file:

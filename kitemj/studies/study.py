@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
+from kitemj.data_files import SCENARIOS, STUDIES, shipped_or_file
 from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MODELS
 from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
@@ -68,11 +69,13 @@ class Study:
     digest: str
 
 
-def read_study(path: Path) -> Study:
-    """The study in a TOML file; raises InputError with one sentence for what is wrong.
+def read_study(path: str | Path) -> Study:
+    """The study in a TOML file, or of those that ship the one of this name.
 
+    Raises InputError with one sentence for what is wrong. Its scenario stands beside it, or ships.
     Its digest changes with whatever changes a result: the file, its scenario, the formulas.
     """
+    path = shipped_or_file(path, STUDIES)
     tables, source = read_toml(path), path.name
     known = ["scenario", *Settings._fields, *VARIED]
     for name in tables:
@@ -80,7 +83,7 @@ def read_study(path: Path) -> Study:
             raise unknown_key(name, known, "", source)
     scenario = tables.get("scenario", {})
     if isinstance(scenario, str):
-        scenario = read_toml(path.parent / scenario)
+        scenario = read_toml(shipped_or_file(scenario, SCENARIOS, path.parent))
     if not isinstance(scenario, dict):
         raise InputError(f"scenario must be the name of a file or a table ({source})")
     settings = {name: tables[name] for name in Settings._fields if name in tables}

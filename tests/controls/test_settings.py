@@ -84,7 +84,7 @@ def test_a_damaged_file_is_a_sentence_and_is_left_alone(path, text, says):
     assert says in message
     assert str(path) in message
     assert "\n" not in message
-    with pytest.raises(InputError, match="mend it, or --overwrite"):
+    with pytest.raises(InputError, match="mend it, or overwrite to"):
         write_layout(path, "abc", LAYOUT)
     assert path.read_text() == text
     write_layout(path, "abc", LAYOUT, overwrite=True)

@@ -6,12 +6,19 @@ import pytest
 from kitemj.controls.actions import PANELS
 from kitemj.drawing.alarms import Alarm, paint_banner
 from kitemj.drawing.instruments import Instruments
-from kitemj.drawing.lesson_panel import HEIGHT, _fitting, beside, paint_lesson, paint_touch
+from kitemj.drawing.lesson_panel import (
+    FLY_AGAIN,
+    HEIGHT,
+    _fitting,
+    beside,
+    paint_lesson,
+    paint_touch,
+)
 from kitemj.drawing.panel import CALL, GOOD, LEFT, RIGHT
 from kitemj.drawing.picture import INSET
 from kitemj.flight.limits import GROUND, Departure
 from kitemj.physics.parameter_files import parameter_set
-from kitemj.pilots.course import LessonStatus
+from kitemj.pilots.course import NEVER_MIND, LessonStatus
 from kitemj.pilots.crash import Touch
 
 SPORT = parameter_set("sport")
@@ -21,7 +28,7 @@ LONGEST = (
     "That was a circle, not an eight. Push the stick a little right, back to the right",
     "Push the stick a little right: out to the side first, then come back",
     "All the way round! Push the stick a little right, until the nose points up",
-    "Never mind, that is how one learns. R or A flies again",
+    f"{NEVER_MIND}. {FLY_AGAIN}",
 )
 GREY = (128, 128, 128)
 LESSON = LessonStatus(2, 7, "Turn left", LONGEST[0], -0.4, 0.5, False)

@@ -87,4 +87,5 @@ def test_arms_that_cannot_be(words, says, capsys):
 
 def test_a_kite_that_is_not_there(capsys):
     assert main(["reach", "none.toml"]) == 2
-    assert "no set or file 'none.toml'; sets: laksa, sport, thesis" in capsys.readouterr().err
+    assert "cannot read none.toml: " in (said := capsys.readouterr().err)
+    assert "; sets: laksa, sport, thesis" in said

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from kitemj.errors import InputError
-from kitemj.flight.scenario import read_scenario, scenario_of
+from kitemj.flight.scenario import parameters_named, read_scenario, scenario_of
 from kitemj.physics.aerodynamics import TableAero
 from kitemj.physics.parameter_files import parameter_set, set_names
 from kitemj.physics.steering import control, rest_ell
@@ -125,3 +125,19 @@ def test_files_that_are_missing_or_not_toml(tmp_path):
     broken.write_text("set = ")
     with pytest.raises(InputError, match="not valid TOML"):
         read_scenario(broken)
+
+
+def test_one_that_ships_is_found_by_its_name_from_anywhere(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    whole = read_scenario(next(path for path in SHIPPED if path.stem == "steer_200m"))
+    for name in ("steer_200m", "steer_200m.toml", "scenarios/steer_200m.toml"):
+        assert read_scenario(name) == whole
+    with pytest.raises(InputError, match=r"cannot read steer_20m: .*that ship: gusts_200m, loops_"):
+        read_scenario("steer_20m")
+    with pytest.raises(InputError, match="cannot read other/steer_200m"):
+        read_scenario("other/steer_200m")
+    (tmp_path / "steer_200m").write_text("duration = 3.0")
+    assert read_scenario("steer_200m").times.duration == 3.0, "a file of one's own comes first"
+    assert parameters_named("sport") == parameter_set("sport")
+    with pytest.raises(InputError, match="sets: laksa, sport, thesis"):
+        parameters_named("spork")

@@ -51,7 +51,7 @@ def test_all_leaves_out_what_the_table_lacks(scenario, tmp_path, capsys):
     assert "without rates: flight.csv, sport lacks the column R_BE_xx" in capsys.readouterr().out
     assert main(["plot", "flight.csv", "--what", "rates", "--save", "b.pdf"]) == 2
     told = capsys.readouterr().err
-    assert "a recording, its table (kitemj replay --export) and a scenario have it" in told
+    assert "a recording, its exported table and a scenario have it" in told
     assert listed(tmp_path) == ["a.pdf", "eight.toml", "flight.csv"]
 
 
@@ -94,7 +94,7 @@ def test_overwriting_is_asked_for(scenario, tmp_path):
 def test_without_a_display_it_says_how_to_save(scenario, capsys):
     matplotlib.use("agg")
     assert main(["plot", scenario]) == 2
-    assert "say --save NAME.png" in capsys.readouterr().err
+    assert "give --save a name" in capsys.readouterr().err
 
 
 def test_windows_hold_every_figure(monkeypatch):

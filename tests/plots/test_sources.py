@@ -1,5 +1,7 @@
 """The same flight out of every kind of file; what holds none is refused in a sentence."""
 
+from pathlib import Path
+
 import numpy as np
 import pyarrow as pa
 import pytest
@@ -36,6 +38,7 @@ def test_a_scenario_is_flown_finer_than_its_rows(scenario):
     assert np.allclose([flight.t[np.argmin(np.abs(flight.t - t))] for t in own], own, atol=1e-12)
     assert notes == []
     assert flight.name == "eight.toml, lagrange"
+    assert read_flight(Path("rest_200m")).flight.name == "rest_200m.toml, lagrange"
     assert read_flight(scenario, "newton-euler").flight.name.endswith("newton-euler")
 
 
@@ -58,14 +61,14 @@ def test_the_longest_flight_unless_one_is_asked_for(tmp_path):
     path = recorded(tmp_path / "two.arrows", 10, episodes=2)
     flight, notes = read_flight(path)
     assert len(flight.t) == 11
-    assert notes == ["two.arrows holds 2 flights; drawn is the longest, --leg 1"]
+    assert notes == ["two.arrows holds 2 flights; drawn is the longest, flight 1"]
     assert read_flight(path, episode=2).flight.name.endswith("flight 2 of 2")
     table = tmp_path / "two.csv"
     write_table(table, read_recording(path))
     second = read_flight(table, episode=2).flight
     assert np.array_equal(second.columns["leg"], np.full(11, 1))
     for file in (path, table):
-        with pytest.raises(InputError, match=r"--leg must be 1 to 2 for two\..*, got 3"):
+        with pytest.raises(InputError, match=r"episode must be 1 to 2 for two\..*, got 3"):
             read_flight(file, episode=3)
 
 
@@ -84,7 +87,7 @@ def test_a_kite_of_no_set_must_be_named(tmp_path):
     columns = dict(read_flight(scenario).flight.columns)
     path = tmp_path / "wide.parquet"
     parquet.write_table(pa.table(columns), path)
-    with pytest.raises(InputError, match=r"was not flown by laksa or .*; say --kite with another"):
+    with pytest.raises(InputError, match=r"was not flown by laksa or .*; give another kite"):
         read_flight(path)
     assert read_flight(path, kite=str(scenario)).flight.parameters.kite.y_A == 0.45
 
@@ -121,11 +124,11 @@ def test_files_that_hold_no_flight(name, tmp_path):
 def test_words_that_mean_nothing_with_a_file(scenario, recording, tmp_path):
     with pytest.raises(InputError, match="is a folder; give a recording"):
         read_flight(tmp_path)
-    with pytest.raises(InputError, match="--model is for a scenario"):
+    with pytest.raises(InputError, match="model is for a scenario"):
         read_flight(recording, model="lagrange")
-    with pytest.raises(InputError, match="--leg is for a recording"):
+    with pytest.raises(InputError, match="episode is for a recording"):
         read_flight(scenario, episode=1)
-    with pytest.raises(InputError, match="--kite is for a table"):
+    with pytest.raises(InputError, match="kite is for a table"):
         read_flight(recording, kite="sport")
     with pytest.raises(InputError, match="there is no model 'x'"):
         read_flight(scenario, model="x")

@@ -132,7 +132,7 @@ def test_a_recording_is_flown_on_from_its_last_flight(tmp_path, at):
 
 def test_a_moment_that_was_not_flown_is_a_sentence(tmp_path):
     recording, _ = flown(tmp_path / "x.arrows", [100])
-    with pytest.raises(InputError, match=r"--at must be in 0 to 1 s.*got 2 s"):
+    with pytest.raises(InputError, match=r"^at must be in 0 to 1 s.*got 2 s"):
         resume_point(recording, 2.0)
 
 
