@@ -24,8 +24,9 @@ from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.pilots.manoeuvres import Hold
 from kitemj.realtime.memory import peak_memory
+from kitemj.realtime.messages import TickNews
 from kitemj.realtime.process import FlightProcess
-from kitemj.realtime.worker import Setup, TickNews
+from kitemj.recording.live import FlightSetup
 
 SETTLED = 10.0
 """s; what memory grows by in this time is the program's own beginning."""
@@ -148,7 +149,7 @@ class SteppingStick:
 class WatchedProcess(FlightProcess):
     """A flight that tells `stick` which of its moves each tick flew."""
 
-    def __init__(self, setup: Setup, stick: SteppingStick) -> None:
+    def __init__(self, setup: FlightSetup, stick: SteppingStick) -> None:
         super().__init__(setup)
         self._stick = stick
 
@@ -190,7 +191,7 @@ class PointerScreen(Watched):
 
 
 def steps_of_the_stick(
-    setup: Setup, picture: Picture, screen: Screen, duration: float
+    setup: FlightSetup, picture: Picture, screen: Screen, duration: float
 ) -> list[Step]:
     """All moves of the stick in a flight of `duration` [s] but the last, which may be cut."""
     stick = SteppingStick()

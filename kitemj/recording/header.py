@@ -24,7 +24,7 @@ PACKAGES = ("kitemj", "mujoco", "numba", "llvmlite", "numpy", "ruckig")
 
 @dataclass(frozen=True)
 class Header:
-    """Model, reference, their longest `step` [s], the `tick` [s], parameters and starts.
+    """Model, reference ("": none), their longest `step` [s], the `tick` [s], parameters, starts.
 
     `versions` of the packages, of Python and of the machine; `seeds` by name (nothing in a
     flight is random so far). Floats survive the way through JSON to the last bit.
@@ -57,7 +57,7 @@ def header_of(flight: LiveFlight) -> Header:
     return Header(
         scenario=flight.scenario.source,
         model=flight.kite.name,
-        reference=flight.reference.name,
+        reference=flight.reference.name if flight.reference else "",
         step=flight.step,
         parameters=parameter_tables(flight.parameters),
         starts=[[list(start.q), list(start.q_dot)] for start in flight.starts],

@@ -17,11 +17,12 @@ def summary(recording: Recording) -> str:
     """All that `kitemj info` prints."""
     header = recording.header
     rows, size = len(recording), recording.path.stat().st_size / 1e6
+    beside = f"beside {header.reference}" if header.reference else "alone"
     seeds = ", ".join(f"{name} {seed}" for name, seed in header.seeds.items())
     lines = [
         ("recording", f"{recording.path}, {size:.1f} MB, written {header.written}"),
         ("scenario", header.scenario),
-        ("model", f"{header.model} beside {header.reference}, steps of {1e3 * header.step:g} ms"),
+        ("model", f"{header.model} {beside}, steps of {1e3 * header.step:g} ms"),
         ("parameters", parameters_in_words(header.parameters)),
         ("seeds", seeds or "none: nothing in the flight is random"),
         ("versions", ", ".join(f"{name} {number}" for name, number in header.versions.items())),

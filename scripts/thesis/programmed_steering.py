@@ -78,7 +78,7 @@ def flown_live(length: float, limits: StickLimits, hand: Hand) -> dict[str, list
     """The same hand through two live flights: the motions of all three models at every tick."""
     found: dict[str, list[Motion]] = {"lagrange": [], "newton-euler": [], "mujoco": []}
     for model in ("mujoco", "newton-euler"):
-        flight = LiveFlight(scenario(length, limits), model)
+        flight = LiveFlight(scenario(length, limits), model, "lagrange")
         results = [flight.restart(), *(flight.tick(Command(stick)) for stick in sticks(hand))]
         found[model] = [result.motion for result in results]
         followed = [result.reference for result in results]

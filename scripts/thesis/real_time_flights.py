@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from kitemj.flight.live import TICK
 from kitemj.flight.scenario import Scenario, scenario_of
-from kitemj.realtime.process import FlightProcess
-from thesis.observed_flight import Hand, Painted, flying, watch
+from thesis.observed_flight import Hand, ObservedFlight, Painted, flying, watch
 from thesis.other_work import others, work
 
 if TYPE_CHECKING:
@@ -107,7 +106,7 @@ def the_scenario(seconds: float) -> Scenario:
 
 
 def flown(
-    case: Case, seconds: float, physics: FlightProcess, opened: "Callable[[], Picture] | None"
+    case: Case, seconds: float, physics: ObservedFlight, opened: "Callable[[], Picture] | None"
 ) -> Run:
     """`case` for so many `seconds` [s] in real time; where nothing is `opened`, not painted."""
     hand = Hand(physics, case.moves) if case.moves else None
@@ -145,7 +144,7 @@ def all_flown(seconds: float) -> list[Run]:
         ]
 
 
-def _warm_up(picture: "Picture", physics: FlightProcess) -> None:
+def _warm_up(picture: "Picture", physics: ObservedFlight) -> None:
     """The first frame, which takes longer than others, painted before it matters."""
     from kitemj.drawing.readings import Readings
 

@@ -15,7 +15,7 @@ from thesis.section import Verdict
 
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
-from kitemj.realtime.worker import TickNews
+from kitemj.realtime.messages import TickNews
 
 SHORT = 0.2  # s
 STILL = Case("display", "no picture")
