@@ -34,7 +34,7 @@ from kitemj.physics.parameter_files import read_toml
 from kitemj.pilots.course import Course
 from kitemj.pilots.crash import FirstTouch
 from kitemj.realtime.process import FlightProcess
-from kitemj.realtime.worker import Setup
+from kitemj.recording.live import FlightSetup
 
 ROOT = Path(__file__).parent.parent
 SIZE = (1280, 720)
@@ -111,7 +111,7 @@ def live(folder: Path) -> None:
     """20 s of the real loop in real time: everything that the cockpit shows, and its help."""
     scenario = scenario_of({"set": "sport", "duration": LIVE + 1.0}, "live")
     parameters = scenario.parameters
-    physics = FlightProcess(Setup(scenario, "mujoco", "lagrange", DEFAULT_STEP))
+    physics = FlightProcess(FlightSetup(scenario, "mujoco", "lagrange", DEFAULT_STEP))
     with Picture(parameters, *SIZE) as picture:
         physics.wait()
         camera = Camera(show_of(parameters))
@@ -141,7 +141,8 @@ def views_and_instruments(folder: Path) -> None:
 
 def first_flight(folder: Path) -> None:
     """The first lesson, and what comes of a stick that is held to the left."""
-    flight = LiveFlight(scenario_of({"set": "sport", "duration": 60.0}, "first flight"))
+    scenario = scenario_of({"set": "sport", "duration": 60.0}, "first flight")
+    flight = LiveFlight(scenario, reference="lagrange")
     course, ground = Course(flight.parameters), FirstTouch(flight.parameters)
     history, left, result = History(flight.parameters), Command(-1.0), flight.result
     wish = -flight.parameters.stick.delta

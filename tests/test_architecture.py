@@ -19,8 +19,8 @@ ROOMS = (
     ("recording", ("flight",)),
     ("plots", ("recording",)),
     ("controls", ("pilots",)),
+    ("realtime", ("pilots", "recording")),
     ("drawing", ("pilots", "recording", "controls")),
-    ("realtime", ("drawing",)),
     ("cockpit", ("drawing", "realtime")),
     ("commands", ("cockpit", "plots", "stability", "studies")),
 )

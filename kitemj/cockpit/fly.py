@@ -2,21 +2,19 @@
 
 import time
 from dataclasses import dataclass
-from typing import Protocol
 
 import pygame
 
 from kitemj.cockpit.screens import FRAME_RATE, Frame, Screen
-from kitemj.controls.actions import FLIGHT_DEEDS, HELP, Wishes
+from kitemj.controls.actions import HELP, Wishes
 from kitemj.controls.programmed import ProgrammedStick
 from kitemj.drawing.history import History
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
-from kitemj.flight.live import TICK, Command, TickResult
-from kitemj.physics.parameters import Parameters
+from kitemj.flight.live import TICK
 from kitemj.pilots.course import Course, LessonStatus
-from kitemj.pilots.crash import Touch
-from kitemj.realtime.pacer import Timekeeping
+from kitemj.realtime.messages import Deed, Timekeeping
+from kitemj.realtime.process import FlightProcess
 
 
 @dataclass(frozen=True)
@@ -48,41 +46,8 @@ class Summary:
         return text
 
 
-class Physics(Protocol):
-    """Whatever flies in real time: a `Pacer` in this process, or a process of its own."""
-
-    model: str
-    parameters: Parameters
-    history: History
-    result: TickResult
-    times: Timekeeping
-    rate: float
-    command: Command
-    start_at: int
-
-    @property
-    def touch(self) -> Touch | None:
-        """How the kite met the ground, where it waits now; None: it flies."""
-
-    @property
-    def problem(self) -> str:
-        """A sentence on what keeps the recording from the disk; empty: nothing."""
-
-    def start(self) -> None:
-        """Lets time run."""
-
-    def update(self) -> object:
-        """Takes in what was flown since; raises what ended the flight."""
-
-    def ask(self, deed: str) -> None:
-        """Asks for a deed, as `Pacer.ask`."""
-
-    def stop(self, ending: str) -> str:
-        """Ends the flight; returns what became of the recording."""
-
-
 def fly(
-    physics: Physics,
+    physics: FlightProcess,
     picture: Picture,
     screen: Screen,
     duration: float | None = None,
@@ -100,7 +65,7 @@ def fly(
 
     Raises what ended the flight, if anything did, once the screen is closed.
     """
-    called = called or time.perf_counter()
+    called, history = called or time.perf_counter(), History(physics.parameters)
     ending, recording = "left by the pilot", "none"
     frames, first, clock = 0, 0.0, pygame.time.Clock()
     picture.paint(physics.result.motion, None, Readings(), screen.wishes.view)
@@ -113,16 +78,17 @@ def fly(
                 ending = "as long as was asked"
                 break
             screen.poll()
-            physics.update()
+            for news in physics.update():
+                history.add(news.done, news.result.motion, news.lateness)
             if isinstance(screen.stick, ProgrammedStick):
                 screen.wishes.ask(screen.stick.actions(painting - begun))
             physics.command = screen.stick.command(physics.result.motion)
             _grant(screen.wishes, physics, picture, course)
             if course:
                 course.watch(physics.result.motion)
-            screen.show(_painted(physics, picture, screen, course), painting - begun)
+            screen.show(_painted(physics, history, picture, screen, course), painting - begun)
             frames += 1
-            physics.history.add_frame(painting, time.perf_counter() - painting)
+            history.add_frame(painting, time.perf_counter() - painting)
             first = first or time.perf_counter() - called
             clock.tick(FRAME_RATE)
     except KeyboardInterrupt:
@@ -135,19 +101,19 @@ def fly(
     return Summary(times.ticks * TICK, times, frames, wall, first, recording)
 
 
-def _grant(wishes: Wishes, physics: Physics, picture: Picture, course: Course | None) -> None:
+def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Course | None) -> None:
     """Does what the person asks for of time, picture and lessons."""
     deeds, turn, zoom = wishes.taken()
     physics.rate = wishes.rate
     physics.start_at = 1 if course and course.start else 0
     for deed in deeds:
-        if deed in FLIGHT_DEEDS:
-            physics.ask(deed)
+        if deed not in ("next lesson", "begin lesson"):
+            physics.ask(Deed(deed))
         elif course and deed == "next lesson":
             course.skip()
-        elif course and deed == "begin lesson":
+        elif course:
             course.begin_again()
-            physics.ask("restart")
+            physics.ask(Deed.RESTART)
     if turn != (0.0, 0.0):
         picture.orbit(*turn)
     if zoom != 1.0:
@@ -155,7 +121,13 @@ def _grant(wishes: Wishes, physics: Physics, picture: Picture, course: Course | 
     picture.shown = wishes.shown
 
 
-def _painted(physics: Physics, picture: Picture, screen: Screen, course: Course | None) -> Frame:
+def _painted(
+    physics: FlightProcess,
+    history: History,
+    picture: Picture,
+    screen: Screen,
+    course: Course | None,
+) -> Frame:
     """The frame of the present moment; the pointer of the knob is where the stick is now."""
     result, times, wishes = physics.result, physics.times, screen.wishes
     readings = Readings(
@@ -168,7 +140,7 @@ def _painted(physics: Physics, picture: Picture, screen: Screen, course: Course 
         stick=screen.stick.name,
         speed=wishes.rate,
         message=screen.message or physics.problem,
-        traces=physics.history.traces(time.perf_counter()),
+        traces=history.traces(time.perf_counter()),
         help=HELP if wishes.help else (),
         lesson=_lesson(course),
         touch=physics.touch,

@@ -24,8 +24,9 @@ from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.pilots.manoeuvres import Hold
 from kitemj.realtime.memory import peak_memory
+from kitemj.realtime.messages import TickNews
 from kitemj.realtime.process import FlightProcess
-from kitemj.realtime.worker import Setup, TickNews
+from kitemj.recording.live import FlightSetup
 
 SETTLED = 10.0
 """s; what memory grows by in this time is the program's own beginning."""
@@ -156,7 +157,7 @@ class SteppingStick:
 class StickTimingProcess(FlightProcess):
     """A flight that tells `stick` which of its moves each tick flew."""
 
-    def __init__(self, setup: Setup, stick: SteppingStick) -> None:
+    def __init__(self, setup: FlightSetup, stick: SteppingStick) -> None:
         super().__init__(setup)
         self._stick = stick
 
@@ -197,7 +198,9 @@ class PointerScreen(TimedScreen):
         return float(columns.mean()) - HUB[0] * self._u if len(columns) else 0.0
 
 
-def stick_steps(setup: Setup, picture: Picture, screen: Screen, duration: float) -> list[Step]:
+def stick_steps(
+    setup: FlightSetup, picture: Picture, screen: Screen, duration: float
+) -> list[Step]:
     """The moves of the stick in a flight of `duration` [s], but the last, which may be cut."""
     stick = SteppingStick()
     physics = StickTimingProcess(setup, stick)

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from kitemj.flight.scenario import Scenario
     from kitemj.physics.parameters import Parameters
     from kitemj.pilots.course import Course
-    from kitemj.realtime.worker import Setup
+    from kitemj.recording.live import FlightSetup
 
 SHOW_DURATION = 20.0
 """s; of a flight that nobody watches."""
@@ -72,7 +72,7 @@ def run(args: argparse.Namespace) -> int:
     from kitemj.cockpit.screens import display_found
     from kitemj.drawing.picture import Picture
     from kitemj.pilots.progress import write_progress
-    from kitemj.realtime.process import FlightProcess, with_lessons
+    from kitemj.realtime.process import FlightProcess
 
     pixels, setup = size(args.size), _setup(args)
     if args.duration is not None and not args.duration > 0:
@@ -84,7 +84,9 @@ def run(args: argparse.Namespace) -> int:
         why = "as asked, no window" if args.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
     course = None if path else _course(args)
-    physics = FlightProcess(with_lessons(setup, course) if course else setup, launched)
+    if course:  # its own start is the second one
+        setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
+    physics = FlightProcess(setup, launched)
     with Picture(parameters, *pixels) as picture:
         physics.wait()
         screen = _film(args, path, programme, parameters) if path else None
@@ -98,11 +100,11 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _setup(args: argparse.Namespace) -> "Setup":
+def _setup(args: argparse.Namespace) -> "FlightSetup":
     """What is to be flown, and recorded where."""
     from kitemj.dynamics.formulation import check_model
-    from kitemj.realtime.worker import Setup
     from kitemj.recording.file import read_recording
+    from kitemj.recording.live import FlightSetup
     from kitemj.recording.resume import resume_point
 
     if args.past is None and args.at is not None:
@@ -112,9 +114,11 @@ def _setup(args: argparse.Namespace) -> "Setup":
     check_model(args.model, args.step)
     record = _record(args)
     if args.past is not None:
-        past = resume_point(read_recording(args.past), args.at)
-        return Setup(*past[:4], record, args.overwrite, past.ticks)
-    return Setup(_scenario(args), args.model, "lagrange", args.step, record, args.overwrite)
+        setup = resume_point(read_recording(args.past), args.at)
+    else:
+        setup = FlightSetup(_scenario(args), args.model, step=args.step)
+    reference = setup.reference or "lagrange"
+    return setup._replace(reference=reference, record=record, overwrite=args.overwrite)
 
 
 def _record(args: argparse.Namespace) -> Path | None:

@@ -46,7 +46,7 @@ def run(args: argparse.Namespace) -> int:
     from kitemj.drawing.picture import Picture
     from kitemj.flight.scenario import scenario_of
     from kitemj.realtime.process import FlightProcess
-    from kitemj.realtime.worker import Setup
+    from kitemj.recording.live import FlightSetup
     from kitemj.tables import print_table
 
     if not args.duration > 0:
@@ -55,7 +55,7 @@ def run(args: argparse.Namespace) -> int:
     scenario = scenario_of({"set": args.kite, "duration": 60.0}, f"the kite {args.kite}")
     window = not args.headless and display_found()
     parameters = scenario.parameters
-    setup, stick = Setup(scenario, "mujoco", "lagrange", args.step), show_of(parameters)
+    setup, stick = FlightSetup(scenario, "mujoco", "lagrange", args.step), show_of(parameters)
     with TemporaryDirectory() as folder:
         physics = FlightProcess(setup._replace(record=Path(folder) / "flight.arrows"), launched)
         with Picture(parameters, *pixels) as picture:

@@ -57,8 +57,6 @@ HELP = (
 )
 
 RATES = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
-FLIGHT_DEEDS = frozenset({"restart", "step", "rewind", "save", "load"})
-"""What the physics does between two ticks."""
 
 
 class Wishes:

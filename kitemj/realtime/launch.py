@@ -9,7 +9,7 @@ from kitemj.registry import own_modules, use
 
 
 class Launched(NamedTuple):
-    """A process that waits for a `Setup` through `link`, and tells its news in the queue `told`."""
+    """A process that waits for a `FlightSetup` through `link`; its news come through `told`."""
 
     process: BaseProcess
     link: Connection

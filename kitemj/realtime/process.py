@@ -8,43 +8,50 @@ import queue
 import time
 from contextlib import suppress
 
-from kitemj.drawing.history import History
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.live import Command, TickResult
-from kitemj.pilots.course import Course
 from kitemj.pilots.crash import Touch
 from kitemj.realtime.launch import Launched, launch
-from kitemj.realtime.pacer import Timekeeping
-from kitemj.realtime.worker import End, Ready, Setup, StartAt, Stop, TickNews
+from kitemj.realtime.messages import (
+    Begin,
+    Deed,
+    End,
+    News,
+    Rate,
+    Ready,
+    StartAt,
+    Stop,
+    TickNews,
+    Timekeeping,
+    Wish,
+)
+from kitemj.recording.live import FlightSetup
 
 PATIENCE = 60.0
 """s; to load and, the first time after an installation, to compile."""
 
 
-def with_lessons(setup: Setup, course: Course) -> Setup:
-    """The same, with the course's own start as the second one, and begun there if it wants to."""
-    return setup._replace(other_starts=course.starts, start_at=int(course.start is not None))
-
-
 class FlightProcess:
-    """To those who paint, what a `Pacer` is; started at once, so that it loads meanwhile.
+    """The flight of `setup`; launched at once, so that it loads meanwhile.
 
-    `update` brings its attributes up to date. Raises InputError and FlightError from there.
+    `update` brings `result`, `times`, `touch`, `problem` and `memory` up to date (they are as in
+    `TickNews`); `rate`, `command` and `start_at` may be set at any moment. What is raised there
+    is raised here: InputError, FlightError.
     """
 
-    def __init__(self, setup: Setup, launched: Launched | None = None) -> None:
+    def __init__(self, setup: FlightSetup, launched: Launched | None = None) -> None:
         """`launched`: the process to use, if one was launched before."""
         self.model, self.parameters = setup.model, setup.scenario.parameters
-        self.history, self.times = History(self.parameters), Timekeeping()
+        self.times = Timekeeping()
         self.touch: Touch | None = None
         self.problem, self.memory = "", 0.0
         self.result: TickResult
         self._recording, self._ready, self._ended = "none", False, False
-        self._rate, self._command, self._start_at = 1.0, Command(), setup.start_at
+        self._rate, self._command, self._start_at = 1.0, Command(), setup.start
         self._heard: list[TickNews] = []
         self._t = 0.0  # s of flight that is known of
         self._process, self._link, self._told = launched or launch()
-        self._tell(setup)
+        self._send(setup)
 
     def wait(self) -> None:
         """Until the flight stands at its start."""
@@ -56,7 +63,7 @@ class FlightProcess:
 
     def start(self) -> None:
         """Time begins."""
-        self._tell("go")
+        self._send(Begin())
 
     def update(self) -> list[TickNews]:
         """All ticks since the last call, the newest of which is now."""
@@ -67,25 +74,25 @@ class FlightProcess:
 
     @property
     def rate(self) -> float:
-        """Simulated over wall time."""
+        """Simulated over wall time: 1 is real time, 0 a pause."""
         return self._rate
 
     @rate.setter
     def rate(self, rate: float) -> None:
         if rate != self._rate:
             self._rate = rate
-            self._tell(rate)
+            self._send(Rate(rate))
 
     @property
     def start_at(self) -> int:
-        """As `Pacer.start_at`."""
+        """Which of the flight's starts the next restart goes to."""
         return self._start_at
 
     @start_at.setter
     def start_at(self, start: int) -> None:
         if start != self._start_at:
             self._start_at = start
-            self._tell(StartAt(start))
+            self._send(StartAt(start))
 
     @property
     def command(self) -> Command:
@@ -96,15 +103,15 @@ class FlightProcess:
     def command(self, command: Command) -> None:
         if command != self._command:
             self._command = command
-            self._tell(command)
+            self._send(command)
 
-    def ask(self, deed: str) -> None:
-        """As `Pacer.ask`."""
-        self._tell(deed)
+    def ask(self, deed: Deed) -> None:
+        """Has it done before the next tick."""
+        self._send(deed)
 
     def stop(self, ending: str) -> str:
         """Ends the flight; returns what became of the recording."""
-        self._tell(Stop(ending))
+        self._send(Stop(ending))
         until = time.monotonic() + PATIENCE
         with suppress(FlightError, InputError):  # the flight is over in any case
             while not self._ended and time.monotonic() < until:
@@ -113,13 +120,13 @@ class FlightProcess:
         self._link.close()
         return self._recording
 
-    def _tell(self, wish: object) -> None:
+    def _send(self, wish: FlightSetup | Wish) -> None:
         with suppress(OSError):  # it has ended; `update` says why
             self._link.send(wish)
 
-    def _next(self, timeout: float = 0.0) -> TickNews | Ready | End | None:
+    def _next(self, timeout: float = 0.0) -> News | None:
         try:
-            news: TickNews | Ready | End = self._told.get(timeout > 0, timeout)
+            news: News = self._told.get(timeout > 0, timeout)
         except queue.Empty:
             if self._ended or self._process.is_alive() or not self._told.empty():
                 return None
@@ -128,7 +135,7 @@ class FlightProcess:
             ) from None
         return news
 
-    def _hear(self, news: TickNews | Ready | End | None) -> None:
+    def _hear(self, news: News | None) -> None:
         if isinstance(news, End):
             self._recording, self._ended = news.recording, True
             if news.bad_input:
@@ -142,4 +149,3 @@ class FlightProcess:
             self._t = news.result.motion.t
             self.result, self.times, self.touch = news.result, news.times, news.touch
             self.problem, self.memory = news.problem, news.memory
-            self.history.add(news.done, news.result.motion, news.lateness)

@@ -1,7 +1,6 @@
 """The last minutes of a flight, to go back to, and one moment that somebody marked."""
 
 from collections import deque
-from typing import NamedTuple
 
 from kitemj.flight.live import TICK, LiveFlight, Saved
 
@@ -13,30 +12,23 @@ BACK = 5.0
 """s; how far one step back goes, at least."""
 
 
-class RewindPoint(NamedTuple):
-    """A moment, and the episode of the recording in which it was flown."""
-
-    episode: int
-    saved: Saved
-
-
 class RewindHistory:
-    """Sees every tick of a flight; belongs to the thread that flies."""
+    """Sees every tick of a flight; belongs to who flies it."""
 
     def __init__(self) -> None:
-        self._past: deque[RewindPoint] = deque(maxlen=round(60 * MINUTES / EVERY))
-        self._marked: tuple[RewindPoint, list[RewindPoint]] | None = None
+        self._past: deque[Saved] = deque(maxlen=round(60 * MINUTES / EVERY))
+        self._marked: tuple[Saved, list[Saved]] | None = None
 
-    def see(self, flight: LiveFlight, episode: int) -> None:
+    def see(self, flight: LiveFlight) -> None:
         """Keeps the moment if it is time to."""
         if flight.ticks % round(EVERY / TICK) == 0:
-            self._past.append(RewindPoint(episode, flight.save()))
+            self._past.append(flight.save())
 
-    def mark(self, flight: LiveFlight, episode: int) -> None:
+    def mark(self, flight: LiveFlight) -> None:
         """Keeps the present moment, with the past that led there, until another is marked."""
-        self._marked = RewindPoint(episode, flight.save()), list(self._past)
+        self._marked = flight.save(), list(self._past)
 
-    def recall(self) -> RewindPoint | None:
+    def recall(self) -> Saved | None:
         """The marked moment; its past is the past again."""
         if self._marked is None:
             return None
@@ -45,10 +37,10 @@ class RewindHistory:
         self._past.extend(past)
         return kept
 
-    def back(self, flight: LiveFlight) -> RewindPoint | None:
+    def back(self, flight: LiveFlight) -> Saved | None:
         """The kept moment `BACK` or a little more ago, else the first; forgets what came after."""
         wanted = flight.ticks - round(BACK / TICK)
-        while len(self._past) > 1 and self._past[-1].saved.ticks > wanted:
+        while len(self._past) > 1 and self._past[-1].ticks > wanted:
             self._past.pop()
         return self._past[-1] if self._past else None
 

@@ -26,7 +26,7 @@ PACKAGES = ("kitemj", "mujoco", "numba", "llvmlite", "numpy", "ruckig")
 
 @dataclass(frozen=True)
 class Header:
-    """Model, reference, their longest `step` [s], the `tick` [s], parameters and starts.
+    """Model, reference ("": none), their longest `step` [s], the `tick` [s], parameters, starts.
 
     `versions` of the packages, of Python, of the machine, and of who brought a law or a model
     that is not ours; `seeds` by name (nothing in a flight is random so far). Floats survive the
@@ -84,7 +84,7 @@ def header_of(flight: LiveFlight) -> Header:
     header = Header(
         scenario=flight.scenario.source,
         model=flight.kite.name,
-        reference=flight.reference.name,
+        reference=flight.reference.name if flight.reference else "",
         step=flight.step,
         parameters=parameter_tables(flight.parameters),
         starts=[[list(start.q), list(start.q_dot)] for start in flight.starts],

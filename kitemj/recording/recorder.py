@@ -19,7 +19,7 @@ from kitemj.errors import InputError
 from kitemj.files import check_new
 from kitemj.physics.parameters import Parameters
 from kitemj.recording.header import Header, to_json
-from kitemj.recording.table import ALL, LIMITS, NUMBERS, PLACE, Episode, Tick, table
+from kitemj.recording.table import ALL, LIMITS, NUMBERS, PLACE, Tick, table
 
 SUFFIX = ".arrows"
 FLUSH = 0.5
@@ -44,8 +44,6 @@ def schema(header: Header) -> pa.Schema:
 class Recorder:
     """Writes ticks to a new file `path`; `add` costs a microsecond and never waits.
 
-    A tick with number 0 begins an episode, and so does one at which the flight was resumed.
-
     Raises InputError where `path` exists or cannot be written. `problem` is what the person
     should know of the disk at present, `written` counts the ticks in the file.
     """
@@ -58,7 +56,6 @@ class Recorder:
         self._parameters, self._schema = parameters, schema(header)
         self._queue: deque[Tick] = deque()
         self._waiting: deque[tuple[int, bytes]] = deque()
-        self._episode, self._starts = Episode(-1, -1, 0), list[int]()
         self._size, self._given_up = 0, False
         self._sink = io.BytesIO()
         self._stream = pa.ipc.new_stream(self._sink, self._schema)
@@ -106,18 +103,7 @@ class Recorder:
         ticks = [self._queue.popleft() for _ in range(len(self._queue))]
         if self._given_up or not (ticks or always):
             return
-        episodes = []
-        for tick in ticks:
-            if tick.resumed is not None:
-                start = self._starts[tick.resumed]
-                self._episode = Episode(self._episode.number + 1, tick.resumed, start)
-                self._starts.append(start)
-            elif tick.tick == 0:
-                number = self._episode.number + 1
-                self._episode = Episode(number, number, tick.start)
-                self._starts.append(tick.start)
-            episodes.append(self._episode)
-        columns = table(self._parameters, ticks, episodes)
+        columns = table(self._parameters, ticks)
         batch = pa.record_batch(list(columns.values()), schema=self._schema)
         self._stream.write_batch(batch, custom_metadata=about or None)
         self._waiting.append((len(ticks), self._taken()))

@@ -1,39 +1,17 @@
 """A recorded flight flown again up to a moment, to be flown on from there by somebody."""
 
-from typing import NamedTuple
-
 from kitemj.errors import InputError
-from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.live import Command
 from kitemj.flight.scenario import Scenario, Times
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control, Segment, Sines
 from kitemj.recording.file import Recording
+from kitemj.recording.live import FlightSetup, RecordedTick
 from kitemj.recording.table import STEERING, STICK
 
 
-class RecordedTick(NamedTuple):
-    """A tick of the past: what the stick asked for, how the lines moved."""
-
-    command: Command
-    segment: Segment
-
-
-class ResumePoint(NamedTuple):
-    """How a flight began, with which models, and the `ticks` that lead to the moment."""
-
-    scenario: Scenario
-    model: str
-    reference: str
-    step: float
-    ticks: tuple[RecordedTick, ...]
-
-    def flight(self) -> LiveFlight:
-        """The flight at its start."""
-        return LiveFlight(self.scenario, self.model, self.reference, self.step)
-
-
-def resume_point(recording: Recording, at: float | None = None) -> ResumePoint:
-    """The last flight of a recording, up to `at` [s] of its time, or to its end.
+def resume_point(recording: Recording, at: float | None = None) -> FlightSetup:
+    """The last flight of a recording, its past up to `at` [s] of its time, or to its end.
 
     Raises InputError where it was not flying then.
     """
@@ -57,4 +35,5 @@ def resume_point(recording: Recording, at: float | None = None) -> ResumePoint:
     times = Times(duration=60.0)  # a live flight has no end
     start = header.states[recording.columns["start"][rows[0]]]
     scenario = Scenario(header.scenario, recording.parameters, held, start, times)
-    return ResumePoint(scenario, header.model, header.reference, header.step, ticks)
+    models = header.model, header.reference or None
+    return FlightSetup(scenario, *models, header.step, past=ticks)

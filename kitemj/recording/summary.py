@@ -27,7 +27,7 @@ def facts(recording: Recording) -> dict[str, Any]:
         "written": header.written,
         "scenario": header.scenario,
         "model": header.model,
-        "reference": header.reference,
+        "reference": header.reference or None,
         "step_s": header.step,
         "tick_s": header.tick,
         "parameters": header.parameters,
@@ -69,13 +69,14 @@ def _flight(recording: Recording, episode: slice) -> dict[str, Any]:
 def summary(recording: Recording) -> str:
     """All that `kitemj info` prints."""
     held, header = facts(recording), recording.header
+    beside = f"beside {header.reference}" if header.reference else "alone"
     seeds = ", ".join(f"{name} {seed}" for name, seed in header.seeds.items())
     flights = len(held["flights"])
     count = "one flight" if flights == 1 else f"{flights} flights, a restart between each"
     lines = [
         ("recording", f"{recording.path}, {held['size_MB']:.1f} MB, written {header.written}"),
         ("scenario", header.scenario),
-        ("model", f"{header.model} beside {header.reference}, steps of {1e3 * header.step:g} ms"),
+        ("model", f"{header.model} {beside}, steps of {1e3 * header.step:g} ms"),
         ("parameters", parameters_in_words(header.parameters)),
         ("seeds", seeds or "none: nothing in the flight is random"),
         ("versions", ", ".join(f"{name} {number}" for name, number in header.versions.items())),

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import GROUND, RECORDED, Numbers
-from kitemj.flight.live import Command, TickResult
+from kitemj.flight.live import Command, Episode, TickResult
 from kitemj.flight.motion_table import COLUMNS, row
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
@@ -27,7 +27,6 @@ RATES = ("omega_x_B_rad_s", "omega_y_B_rad_s", "omega_z_B_rad_s")
 MOTION = (*COLUMNS, *ATTITUDE, *VELOCITY, *RATES, "airspeed_m_s")
 """Of any model's motion; R_BE takes components in E to components in B, row by row."""
 
-EPISODE = ("leg", "parent", "start")
 PLACE = ("leg", "tick", "parent", "start")
 """Which episode of the recording (each restart begins one), which tick in it; whole numbers.
 
@@ -60,27 +59,14 @@ NOWHERE = (nan,) * len(REFERENCE)
 
 
 class Tick(NamedTuple):
-    """What one tick leaves behind; `control` is that of its segment, `lateness` in s.
+    """What one tick leaves behind; `control` is that of its segment, `lateness` in s."""
 
-    `resumed`: the episode that the flight went back to, for the row at which it goes on. `start`:
-    which of the flight's starts it began at, for the row of tick 0.
-    """
-
+    episode: Episode
     tick: int
     control: Control
     command: Command
     result: TickResult
     lateness: float
-    resumed: int | None = None
-    start: int = 0
-
-
-class Episode(NamedTuple):
-    """What the columns of `EPISODE` say of one."""
-
-    number: int
-    parent: int
-    start: int
 
 
 def motion_row(motion: Motion) -> list[float]:
@@ -89,14 +75,14 @@ def motion_row(motion: Motion) -> list[float]:
     return [*row(motion), *R.x, *R.y, *R.z, *v, *omega, motion.air.speed]
 
 
-def table(parameters: Parameters, ticks: Sequence[Tick], episodes: Sequence[Episode]) -> Columns:
-    """The columns of `ALL` of some ticks; `episodes` has the episode of each."""
+def table(parameters: Parameters, ticks: Sequence[Tick]) -> Columns:
+    """The columns of `ALL` of some ticks."""
     rows = [_numbers(tick) for tick in ticks]
     numbers = np.array(rows, np.float64).reshape(len(rows), len(NUMBERS)).T.copy()
     columns: dict[str, NDArray[Any]] = dict(zip(NUMBERS, numbers, strict=True))
-    places = np.array(episodes, np.int32).reshape(len(rows), len(EPISODE)).T.copy()
-    columns |= dict(zip(EPISODE, places, strict=True))
-    columns["tick"] = np.array([tick.tick for tick in ticks], np.int32)
+    places = [(tick.episode.number, tick.tick, *tick.episode[1:]) for tick in ticks]
+    whole = np.array(places, np.int32).reshape(len(rows), len(PLACE)).T.copy()
+    columns |= dict(zip(PLACE, whole, strict=True))
     left = [tick.result.departure for tick in ticks]
     columns["ground"] = np.array([bool(each and each.limit is GROUND) for each in left], np.bool_)
     now = limit_numbers(columns)

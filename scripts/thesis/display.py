@@ -13,8 +13,7 @@ from kitemj.drawing.readings import Readings
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
 from kitemj.flight.scenario import scenario_of
-from kitemj.realtime.process import FlightProcess
-from thesis.observed_flight import flight_process, observe, readings_of
+from thesis.observed_flight import InstrumentedProcess, flight_process, observe, readings_of
 from thesis.section import Answer, Drawing, Section, Verdict
 
 ANSWERS = (
@@ -79,7 +78,9 @@ def section(scratch: Path) -> Section:
     return Section(_TITLE, ANSWERS, _THESIS, _HERE, _WHY, drawings)
 
 
-def paint_frames(physics: FlightProcess, picture: Picture, seconds: float) -> dict[str, Frame]:
+def paint_frames(
+    physics: InstrumentedProcess, picture: Picture, seconds: float
+) -> dict[str, Frame]:
     """The last moment of a flight in real time: the cockpit, then each view alone."""
     stick = ProgrammedStick([Row(t, steer) for t, steer in MOVES], physics.parameters)
     picture.paint(physics.result.motion, None, Readings())

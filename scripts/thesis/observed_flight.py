@@ -10,11 +10,13 @@ from contextlib import contextmanager
 from threading import Event, Thread
 from typing import TYPE_CHECKING, NamedTuple
 
+from kitemj.drawing.history import History
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.flight.live import TICK, Command
 from kitemj.flight.scenario import Scenario
+from kitemj.realtime.messages import Deed, TickNews
 from kitemj.realtime.process import FlightProcess
-from kitemj.realtime.worker import Setup, TickNews
+from kitemj.recording.live import FlightSetup
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -22,6 +24,21 @@ if TYPE_CHECKING:
     from kitemj.controls.stick import Stick
     from kitemj.drawing.picture import Picture
     from kitemj.drawing.readings import Readings
+
+
+class InstrumentedProcess(FlightProcess):
+    """A flight of which `history` remembers what instruments show."""
+
+    def __init__(self, setup: FlightSetup) -> None:
+        super().__init__(setup)
+        self.history = History(self.parameters)
+
+    def update(self) -> list[TickNews]:
+        """All ticks since the last call."""
+        heard = super().update()
+        for news in heard:
+            self.history.add(news.done, news.result.motion, news.lateness)
+        return heard
 
 
 class FrameTime(NamedTuple):
@@ -42,7 +59,7 @@ class ObservedFlight(NamedTuple):
 class StickMover(Thread):
     """Throws the stick of `physics` from side to side every `interval` [s] of the clock."""
 
-    def __init__(self, physics: FlightProcess, interval: float) -> None:
+    def __init__(self, physics: InstrumentedProcess, interval: float) -> None:
         super().__init__(name="hand", daemon=True)
         self._physics, self._interval, self.moves = physics, interval, 0
         self._over = Event()
@@ -63,9 +80,9 @@ class StickMover(Thread):
 
 
 @contextmanager
-def flight_process(scenario: Scenario) -> "Iterator[FlightProcess]":
+def flight_process(scenario: Scenario) -> "Iterator[InstrumentedProcess]":
     """A process that flies `scenario`, paused; it ends with the block."""
-    physics = FlightProcess(Setup(scenario, "mujoco", "lagrange", DEFAULT_STEP))
+    physics = InstrumentedProcess(FlightSetup(scenario, "mujoco", "lagrange", DEFAULT_STEP))
     try:
         physics.wait()
         physics.start()
@@ -76,7 +93,7 @@ def flight_process(scenario: Scenario) -> "Iterator[FlightProcess]":
 
 
 def observe(
-    physics: FlightProcess,
+    physics: InstrumentedProcess,
     ticks: int,
     open_picture: "Callable[[], Picture] | None" = None,
     interval: float = 0.0,
@@ -118,25 +135,25 @@ def observe(
     return ObservedFlight(flown[:ticks], frames, physics.times.lost - lost)
 
 
-def _restart(physics: FlightProcess) -> None:
+def _restart(physics: InstrumentedProcess) -> None:
     """Returns when the flight stands at its start, and time runs."""
     time.sleep(5 * TICK)  # a pause that was asked for takes a tick to come
     physics.update()
     physics.command = Command()
-    physics.ask("restart")
+    physics.ask(Deed.RESTART)
     while not any(news.result.motion.t == 0.0 for news in physics.update()):
         time.sleep(TICK)
     physics.rate = 1.0
 
 
-def _paint(physics: FlightProcess, picture: "Picture", stick: "Stick | None") -> None:
+def _paint(physics: InstrumentedProcess, picture: "Picture", stick: "Stick | None") -> None:
     result = physics.result
     if stick:
         physics.command = stick.command(result.motion)
     picture.paint(result.motion, result.reference, readings_of(physics))
 
 
-def readings_of(physics: FlightProcess) -> "Readings":
+def readings_of(physics: InstrumentedProcess) -> "Readings":
     """What the cockpit shows of the flight as it is now."""
     from kitemj.drawing.readings import Readings
 

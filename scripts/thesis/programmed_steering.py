@@ -78,7 +78,7 @@ def live_flights(length: float, limits: StickLimits, schedule: Schedule) -> dict
     """The same schedule through two live flights: the motions of all three models at every tick."""
     found: dict[str, list[Motion]] = {"lagrange": [], "newton-euler": [], "mujoco": []}
     for model in ("mujoco", "newton-euler"):
-        flight = LiveFlight(scenario(length, limits), model)
+        flight = LiveFlight(scenario(length, limits), model, "lagrange")
         results = [
             flight.restart(),
             *(flight.tick(Command(stick)) for stick in stick_values(schedule)),

@@ -15,8 +15,13 @@ from numpy.typing import NDArray
 
 from kitemj.flight.live import TICK
 from kitemj.flight.scenario import Scenario, scenario_of
-from kitemj.realtime.process import FlightProcess
-from thesis.observed_flight import FrameTime, StickMover, flight_process, observe
+from thesis.observed_flight import (
+    FrameTime,
+    InstrumentedProcess,
+    StickMover,
+    flight_process,
+    observe,
+)
 from thesis.processor_load import other_load, processor_time
 
 if TYPE_CHECKING:
@@ -107,7 +112,10 @@ def make_scenario(seconds: float) -> Scenario:
 
 
 def measure(
-    case: Case, seconds: float, physics: FlightProcess, open_picture: "Callable[[], Picture] | None"
+    case: Case,
+    seconds: float,
+    physics: InstrumentedProcess,
+    open_picture: "Callable[[], Picture] | None",
 ) -> Run:
     """`case` flown for so many `seconds` [s] in real time; not painted without `open_picture`."""
     mover = StickMover(physics, case.moves) if case.moves else None
@@ -146,7 +154,7 @@ def measure_all(seconds: float) -> list[Run]:
         ]
 
 
-def _warm_up(picture: "Picture", physics: FlightProcess) -> None:
+def _warm_up(picture: "Picture", physics: InstrumentedProcess) -> None:
     """The first frame, which takes longer than others, painted before it matters."""
     from kitemj.drawing.readings import Readings
 

@@ -1,6 +1,6 @@
 """Section 4.3: a flight steered in real time, replays of its input, and the differences."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
@@ -10,17 +10,18 @@ from numpy.typing import NDArray
 
 from kitemj.controls.programmed import ProgrammedStick, Row
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.limits import GROUND
+from kitemj.flight.live import TICK
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Segment, control, ell_delta
+from kitemj.realtime.messages import Stop, Wish
+from kitemj.realtime.pacer import Pacer
 from kitemj.recording.file import Recording, read_recording
-from kitemj.recording.header import header_of
-from kitemj.recording.recorder import Recorder
+from kitemj.recording.live import RecordedFlight
 from kitemj.recording.replay import replay
 from kitemj.recording.table import ATTITUDE, MOTION, STEERING, Columns, motion_row
 from thesis.ode45 import ATOL, RTOL, solve
-from thesis.programmed_pacer import ProgrammedPacer
 
 MOVES = ((0.5, 1.0), (4.0, -1.0), (9.5, 0.3), (12.0, 0.0))
 """Time [s] and stick from then on."""
@@ -53,20 +54,22 @@ class ReplayedFlight(NamedTuple):
 def record_flight(path: Path, seconds: float) -> Recording:
     """A recording, at `path`, of the thesis kite steered by a programme in real time.
 
-    Raises what ended the flight, if anything did.
+    The stick is read at every tick by the flight's own time, so that a late thread changes
+    nothing in what is flown. Raises what ended the flight, if anything did.
     """
     scenario = scenario_of({"set": "thesis", "duration": seconds}, "the flight of section 4.3")
-    flight = LiveFlight(scenario)
-    flight.warm_up()
-    recorder = Recorder(path, header_of(flight), flight.parameters)
-    stick = ProgrammedStick([Row(t, steer) for t, steer in MOVES], flight.parameters)
-    pacer = ProgrammedPacer(flight, round(seconds / TICK), stick, recorder)
-    try:
-        pacer.start()
-        pacer.join()
-    finally:
-        pacer.stop("as long as was asked")
-    pacer.update()
+    stick = ProgrammedStick([Row(t, steer) for t, steer in MOVES], scenario.parameters)
+    RecordedFlight(scenario, reference="lagrange").warm_up()
+    with RecordedFlight(scenario, reference="lagrange", record=path) as flight:
+
+        def wishes() -> Iterator[Wish]:
+            departure = flight.result.departure
+            landed = departure is not None and departure.limit is GROUND
+            if landed or flight.ticks == round(seconds / TICK):
+                yield Stop("as long as was asked")
+            yield stick.command(flight.result.motion)
+
+        flight.close(Pacer(flight, wishes, lambda news: None).run())
     return read_recording(path)
 
 

@@ -9,16 +9,14 @@ from kitemj.cockpit.screens import FilmScreen, Window, display_found
 from kitemj.controls.programmed import ProgrammedStick, Row, show
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
-from kitemj.drawing.history import History
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.dynamics.motion import attachment_E
-from kitemj.flight.live import LiveFlight
 from kitemj.flight.scenario import scenario_of
-from kitemj.realtime.pacer import Pacer
+from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
+from kitemj.recording.live import FlightSetup
 from tests.controls.virtual_pad import VirtualPad
-from tests.recording.flights import recorder_of
 
 SIZE = (640, 360)
 QUICK = {"delta": 0.4, "delta_dot": 0.5, "delta_ddot": 2.0, "mirrored": False}
@@ -41,11 +39,18 @@ class Script:
         self.window.show(frame, wall)
 
 
-def paced(flight=None):
-    """The flight in a thread of this process, where a test can look at it."""
-    flight = flight or LiveFlight(SCENARIO)
-    flight.warm_up()
-    return Pacer(flight, History(flight.parameters))
+class Flown(FlightProcess):
+    """The flight, which keeps all its `news`."""
+
+    def __init__(self, scenario=SCENARIO, **options):
+        super().__init__(FlightSetup(scenario, reference="lagrange", **options))
+        self.news = []
+        self.wait()
+
+    def update(self):
+        heard = super().update()
+        self.news += heard
+        return heard
 
 
 @pytest.fixture
@@ -65,10 +70,10 @@ def picture():
 
 def test_right_stick_pulls_the_line_that_the_pilot_sees_on_the_right(window, picture):
     """L₋ gets shorter, L₊ longer; A₋ is right of A₊ in the picture."""
-    pad, flight = VirtualPad(), LiveFlight(SCENARIO)
+    pad, physics = VirtualPad(), Flown()
     script = Script(window, [(0.1, lambda: pad.left_stick(1.0))])
-    fly(paced(flight), picture, script, duration=2.0)
-    motion = flight.kite.motion(flight.segment)
+    fly(physics, picture, script, duration=2.0)
+    motion = physics.result.motion
     assert script.stick_name == "gamepad"
     assert motion.control.delta > 0.1
     left, right = motion.lengths
@@ -80,23 +85,16 @@ def test_right_stick_pulls_the_line_that_the_pilot_sees_on_the_right(window, pic
 
 
 def test_unplugged_pad_centres_and_comes_back(window, picture):
-    pad, flight = VirtualPad(), LiveFlight(SCENARIO)
-    pads, wishes = [pad], []
-    original = flight._result
-
-    def watched(wish):
-        wishes.append(wish)
-        return original(wish)
-
-    flight._result = watched
+    pad, physics = VirtualPad(), Flown()
+    pads = [pad]
     doings = [
         (0.1, lambda: pad.left_stick(1.0)),
         (0.6, pad.unplug),
         (1.2, lambda: pads.append(VirtualPad())),
         (1.4, lambda: pads[1].left_stick(-1.0)),
     ]
-    fly(paced(flight), picture, Script(window, doings), duration=2.2)
-    ticks = wishes[4:]  # the warm-up and the two starts before
+    fly(physics, picture, Script(window, doings), duration=2.2)
+    ticks = [news.result.wish for news in physics.news]
     assert max(ticks) == pytest.approx(0.4)
     gone = ticks.index(max(ticks)) + 90
     assert ticks[gone] == 0.0
@@ -106,7 +104,7 @@ def test_unplugged_pad_centres_and_comes_back(window, picture):
 def test_escape_leaves_and_the_summary_adds_up(window, picture):
     escape = pygame.event.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE)
     script = Script(window, [(0.5, lambda: pygame.event.post(escape))])
-    summary = fly(paced(), picture, script, duration=20.0)
+    summary = fly(Flown(), picture, script, duration=20.0)
     assert 0.4 < summary.wall < 5.0
     assert summary.flown == pytest.approx(summary.times.ticks * 0.01)
     assert abs(summary.flown + summary.times.lost - summary.wall) < 0.3
@@ -122,7 +120,7 @@ def test_interrupt_leaves_a_complete_film(tmp_path, picture):
 
     path = tmp_path / "kite.mp4"
     screen = Impatient(path, *SIZE, show(SCENARIO.parameters))
-    summary = fly(paced(), picture, screen, duration=20.0)
+    summary = fly(Flown(), picture, screen, duration=20.0)
     assert summary.flown > 0
     with av.open(str(path)) as film:
         assert sum(1 for _ in film.decode(video=0)) >= 10
@@ -140,16 +138,14 @@ def test_full_screen_and_back_while_flying(window, picture):
         (0.6, lambda: press(pygame.K_F11)),
         (1.0, lambda: sizes.append(pygame.display.get_window_size())),
     ]
-    summary = fly(paced(), picture, Script(window, doings), duration=1.3)
+    summary = fly(Flown(), picture, Script(window, doings), duration=1.3)
     assert sizes[1] == SIZE
     assert summary.flown + summary.times.lost > 1.2
 
 
 def test_closed_by_the_window_manager_is_leaving(window, picture, tmp_path):
     quit_event = pygame.event.Event(pygame.QUIT)
-    flight = LiveFlight(SCENARIO)
-    recorder = recorder_of(flight, tmp_path / "x.arrows")
-    physics = Pacer(flight, History(flight.parameters), recorder)
+    physics = Flown(record=tmp_path / "x.arrows")
     script = Script(window, [(0.4, lambda: pygame.event.post(quit_event))])
     summary = fly(physics, picture, script, duration=20.0)
     assert summary.wall < 10.0
@@ -159,9 +155,7 @@ def test_closed_by_the_window_manager_is_leaving(window, picture, tmp_path):
 def test_a_kite_on_the_ground_waits_until_somebody_starts_again(window):
     """Full left for 6 s flies the sport kite into the ground, here at four times the speed."""
     scenario = scenario_of({"set": "sport", "duration": 60.0}, "test")
-    flight, seen = LiveFlight(scenario), []
-    flight.warm_up()
-    physics = Pacer(flight, History(flight.parameters))
+    physics, seen = Flown(scenario), []
     window.wishes.rate = 4.0
     window.stick = ProgrammedStick([Row(0.0, steer=-1.0)], scenario.parameters)
 

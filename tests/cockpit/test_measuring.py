@@ -15,9 +15,9 @@ from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.readings import Readings
 from kitemj.flight.live import TICK, Command, LiveFlight
 from kitemj.flight.scenario import scenario_of
-from kitemj.realtime.pacer import FRAME, Timekeeping
+from kitemj.realtime.messages import FRAME, TickNews, Timekeeping
 from kitemj.realtime.process import FlightProcess
-from kitemj.realtime.worker import Setup, TickNews
+from kitemj.recording.live import FlightSetup
 
 SCENARIO = scenario_of({"set": "sport", "duration": 60.0}, "test")
 PARAMETERS = SCENARIO.parameters
@@ -63,7 +63,7 @@ def test_only_ticks_that_began_after_the_move_are_counted(monkeypatch):
     monkeypatch.setattr(FlightProcess, "update", lambda self: heard)
     stick = SteppingStick()
     stick.steps.append(Step(polled=1.5, side=1.0))
-    StickTimingProcess(Setup(SCENARIO, "mujoco", "lagrange", 0.002), stick).update()
+    StickTimingProcess(FlightSetup(SCENARIO), stick).update()
     assert stick.steps[0].ticks == 2
     assert stick.steps[0].flown
 
@@ -71,6 +71,6 @@ def test_only_ticks_that_began_after_the_move_are_counted(monkeypatch):
 def test_timekeeping_counts_what_was_missed_and_what_came_a_frame_late():
     times = Timekeeping()
     for lateness in (0.1 * TICK, 0.9 * TICK, 1.1 * TICK, 1.1 * FRAME):
-        times.note(lateness, TICK, gap=0.0)
+        times = times.noted(lateness, TICK, gap=0.0, lost=0.0)
     assert (times.ticks, times.missed, times.late) == (4, 2, 1)
     assert times.worst == 1.1 * FRAME

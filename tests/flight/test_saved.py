@@ -38,7 +38,7 @@ def flown(flight, stick, ticks):
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("tables", [SPORT, GUSTS], ids=["sport", "gusts"])
 def test_resumed_flight_has_the_same_bits(model, tables):
-    flight = LiveFlight(scenario_of(tables, "test"), model)
+    flight = LiveFlight(scenario_of(tables, "test"), model, "lagrange")
     flown(flight, restless(1), 150)
     saved = flight.save()
     first = flown(flight, restless(2), 200)

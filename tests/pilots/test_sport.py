@@ -46,7 +46,7 @@ class PilotedFlight:
 
     def __init__(self, pilot: Pilot, wind: float, duration: float) -> None:
         tables = {"set": "sport", "duration": duration, "wind": {"speed": wind}}
-        flight = LiveFlight(scenario_of(tables, "test"))
+        flight = LiveFlight(scenario_of(tables, "test"), reference="lagrange")
         result = flight.restart()
         self.motions, self.departures, self.gap = [result.motion], [], 0.0
         while result.motion.t < duration - 1e-9 and not self.landed:

@@ -14,7 +14,7 @@ from kitemj.plots.sources import ROWS, read_flight
 from kitemj.recording.export import write_table
 from kitemj.recording.file import read_recording
 from tests.plots.flights import TOML, simulation
-from tests.recording.flights import live_flight, recorded
+from tests.recording.flights import recorded
 
 SPORT = {"set": "sport", "duration": 60.0}
 
@@ -28,7 +28,7 @@ def scenario(tmp_path):
 
 @pytest.fixture
 def recording(tmp_path):
-    return recorded(tmp_path / "x.arrows", 40, live_flight(SPORT), episodes=1)
+    return recorded(tmp_path / "x.arrows", 40, SPORT)
 
 
 def test_a_scenario_is_flown_finer_than_its_rows(scenario):

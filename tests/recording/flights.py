@@ -4,13 +4,10 @@ import sys
 from pathlib import Path
 from random import Random
 
-from kitemj.drawing.history import History
-from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.live import Command
 from kitemj.flight.scenario import scenario_of
 from kitemj.realtime.pacer import Pacer
-from kitemj.recording.header import header_of
-from kitemj.recording.recorder import Recorder
-from kitemj.recording.table import Tick
+from kitemj.recording.live import RecordedFlight
 
 TABLES = {"set": "thesis", "duration": 60.0}
 LOOPS = {
@@ -25,16 +22,8 @@ LOOPS = {
 }
 
 
-def live_flight(tables=TABLES, model="mujoco"):
-    return LiveFlight(scenario_of(tables, "test"), model)
-
-
-def recorder_of(flight, path, **options):
-    return Recorder(path, header_of(flight), flight.parameters, **options)
-
-
-def tick_of(flight, command, result, lateness=0.0):
-    return Tick(flight.ticks, flight.segment.control, command, result, lateness)
+def live_flight(tables=TABLES, model="mujoco", reference="lagrange", **options):
+    return RecordedFlight(scenario_of(tables, "test"), model, reference, **options)
 
 
 def restless(seed, ell=0.1, hold=70):
@@ -45,23 +34,20 @@ def restless(seed, ell=0.1, hold=70):
         yield from [command] * hold
 
 
-def recorded(path, ticks, flight=None, stick=None, episodes=1):
-    """A recording of `episodes` flights of `ticks` each, not in real time; returns its path."""
-    flight, stick = flight or live_flight(), stick or restless(4)
-    recorder = recorder_of(flight, path)
-    for _ in range(episodes):
-        recorder.add(tick_of(flight, Command(), flight.restart()))
+def recorded(path, ticks, tables=TABLES, stick=None, episodes=1):
+    """A recording of some flights of `ticks` each, not in real time; returns its path."""
+    flight, stick = live_flight(tables, record=path), stick or restless(4)
+    for episode in range(episodes):
+        if episode:
+            flight.restart()
         for _ in range(ticks):
-            command = next(stick)
-            recorder.add(tick_of(flight, command, flight.tick(command)))
-    recorder.close("as long as was asked")
+            flight.tick(next(stick))
+    flight.close("as long as was asked")
     return path
 
 
 if __name__ == "__main__":
-    flight = live_flight()
-    flight.warm_up()
-    pacer = Pacer(flight, History(flight.parameters), recorder_of(flight, Path(sys.argv[1])))
-    pacer.start()
+    live_flight().warm_up()
+    flight = live_flight(record=Path(sys.argv[1]))
     print("flying", flush=True)
-    pacer.join()
+    Pacer(flight, lambda: (), lambda news: None).run()

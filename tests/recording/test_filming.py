@@ -21,7 +21,7 @@ from kitemj.flight.limits import SLACK, TWIST
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
-from tests.recording.flights import LOOPS, live_flight, recorded, restless
+from tests.recording.flights import LOOPS, recorded, restless
 
 SMALL = (320, 180)
 SIZE = f"{SMALL[0]}x{SMALL[1]}"
@@ -34,7 +34,7 @@ ANSWER = 0.25
 def file(tmp_path_factory):
     """3 s of a kite that loops, and 3 s more after a restart."""
     path = tmp_path_factory.mktemp("recordings") / "kite.arrows"
-    return recorded(path, 300, live_flight(LOOPS), restless(2, ell=0.1, hold=90), episodes=2)
+    return recorded(path, 300, LOOPS, restless(2, ell=0.1, hold=90), episodes=2)
 
 
 def frames_of(path):

@@ -5,33 +5,43 @@ import pytest
 
 from kitemj.drawing.history import History
 from kitemj.errors import InputError
-from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.live import TICK
 from kitemj.flight.scenario import scenario_of
+from kitemj.realtime import rewind
+from kitemj.realtime.messages import Deed, Rate, StartAt, Stop
 from kitemj.realtime.pacer import Pacer
 from kitemj.realtime.rewind import BACK, EVERY
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
 from kitemj.recording.resume import resume_point
-from tests.recording.flights import live_flight, recorder_of, restless
+from tests.recording.flights import live_flight, restless
 
 SPORT = {"set": "sport", "duration": 60.0}
 
 
+def paced(flight, doings, past=()):
+    """The news of ticks one by one, not by the clock; `doings`: numbers of ticks, and wishes."""
+    stick = (command._replace(delta=0.3 * command.delta) for command in restless(3))
+    news = []
+
+    def wishes():
+        yield Rate(0.0)
+        for doing in doings:
+            if isinstance(doing, int):
+                for _ in range(doing):
+                    yield from (next(stick), Deed.STEP)
+            else:
+                yield Deed(doing) if isinstance(doing, str) else doing
+        yield Stop("done")
+
+    flight.close(Pacer(flight, wishes, news.append).run(past))
+    return news
+
+
 def flown(path, doings, tables=SPORT):
-    """Ticks by hand, not by the clock; `doings` are numbers of ticks to fly, and deeds."""
-    flight, stick = live_flight(tables), restless(3)
-    recorder = recorder_of(flight, path)
-    pacer = Pacer(flight, History(flight.parameters), recorder)
-    for doing in doings:
-        if isinstance(doing, str):
-            pacer.ask(doing)
-            pacer._obey()
-        else:
-            for _ in range(doing):
-                pacer.command = next(stick)
-                pacer._tick(0.0)
-    recorder.close("done")
-    return read_recording(path), pacer
+    """The recording of that, and its news."""
+    news = paced(live_flight(tables, record=path), doings)
+    return read_recording(path), news
 
 
 def episodes_of(recording):
@@ -67,9 +77,9 @@ def test_going_back_shows_in_the_recording_as_the_moment_itself(tmp_path):
 
 
 def test_nothing_marked_is_nothing_loaded(tmp_path):
-    recording, pacer = flown(tmp_path / "x.arrows", [10, "load", 10])
+    recording, news = flown(tmp_path / "x.arrows", [10, "load", 10])
     assert episodes_of(recording) == [(0, 0, 0, 20)]
-    assert pacer.result.motion.t == pytest.approx(20 * TICK)
+    assert news[-1].result.motion.t == pytest.approx(20 * TICK)
 
 
 def test_back_from_a_marked_moment_is_back_in_its_own_flight(tmp_path):
@@ -88,25 +98,21 @@ def test_limits_left_before_a_branch_count_for_the_branch(tmp_path):
     assert not within[recording.episodes[1]].any()
 
 
-def test_the_kept_past_does_not_grow(tmp_path):
+def test_the_kept_past_does_not_grow(monkeypatch):
+    monkeypatch.setattr(rewind, "MINUTES", 4 * EVERY / 60)
     flight = live_flight(SPORT)
-    pacer = Pacer(flight, History(flight.parameters))
-    pacer._rewind._past = type(pacer._rewind._past)(maxlen=4)
-    for _ in range(1000):
-        pacer._tick(0.0)
-    assert len(pacer._rewind._past) == 4
-    pacer.ask("rewind")
-    pacer._obey()
+    paced(flight, [1000, "rewind"])
     assert flight.ticks == 1000 - 3 * round(EVERY / TICK)  # all that is left of BACK
     assert BACK > 3 * EVERY
 
 
-def test_trail_ends_where_the_flight_went_back_to(tmp_path):
-    _, pacer = flown(tmp_path / "x.arrows", [730])
-    long = pacer.history.traces(0.0).trail
-    pacer.ask("rewind")
-    pacer._obey()
-    short = pacer.history.traces(0.0).trail
+def test_trail_ends_where_the_flight_went_back_to():
+    flight = live_flight(SPORT)
+    history, trails = History(flight.parameters), []
+    for news in paced(flight, [730, "rewind"]):
+        history.add(news.done, news.result.motion, news.lateness)
+        trails.append(history.traces(0.0).trail)
+    long, short = trails[-2:]
     assert len(short) == pytest.approx(len(long) * 200 / 730, abs=2)
     assert np.array_equal(short[:60], long[:60])
 
@@ -115,13 +121,10 @@ def test_trail_ends_where_the_flight_went_back_to(tmp_path):
 def test_a_recording_is_flown_on_from_its_last_flight(tmp_path, at):
     doings = [430, "restart", 420, "save", 50, "load", 200]
     recording, _ = flown(tmp_path / "x.arrows", doings)
-    past = resume_point(recording, at)
-    flight, ticks = past.flight(), past.ticks
-    recorder = recorder_of(flight, tmp_path / "y.arrows")
-    pacer = Pacer(flight, History(flight.parameters), recorder, ticks)
-    assert flight.ticks == (320 if at else 620)
-    pacer._tick(0.0)
-    recorder.close("done")
+    setup = resume_point(recording, at)._replace(record=tmp_path / "y.arrows")
+    flight = setup.flight()
+    paced(flight, [1], setup.past)
+    assert flight.ticks == (321 if at else 621)
     longer = read_recording(tmp_path / "y.arrows")
     assert episodes_of(longer) == [(0, 0, 0, flight.ticks)]
     way = recording.way_to(recording.episodes[-1])[: flight.ticks]
@@ -139,18 +142,9 @@ def test_a_moment_that_was_not_flown_is_a_sentence(tmp_path):
 def test_a_flight_that_begins_at_another_start_is_flown_again_from_there(tmp_path):
     scenario = scenario_of(SPORT, "test")
     other = scenario.start._replace(q=scenario.start.q._replace(eta=0.3))
-    flight = LiveFlight(scenario, other_starts=(other,))
-    recorder = recorder_of(flight, tmp_path / "x.arrows")
-    pacer = Pacer(flight, History(flight.parameters), recorder, start_at=1)
-    aside = pacer.result.motion
-    for start in (0, 1):
-        for _ in range(120):
-            pacer._tick(0.0)
-        pacer.start_at = start
-        pacer.ask("restart")
-        pacer._obey()
-    assert pacer.result.motion == aside
-    recorder.close("done")
+    flight = live_flight(SPORT, other_starts=(other,), start=1, record=tmp_path / "x.arrows")
+    news = paced(flight, [120, StartAt(0), "restart", 120, StartAt(1), "restart"])
+    assert news[-1].result.motion == news[0].result.motion
     recording = read_recording(tmp_path / "x.arrows")
     assert recording.columns["start"][
         [episode.start for episode in recording.episodes]

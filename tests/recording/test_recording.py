@@ -4,17 +4,18 @@ import errno
 import os
 import subprocess
 import sys
+import threading
 import time
 
 import numpy as np
 import pyarrow as pa
 import pytest
 
-from kitemj.drawing.history import History
 from kitemj.errors import InputError
 from kitemj.flight.limits import SLACK
 from kitemj.flight.live import TICK, Command
 from kitemj.flight.motion_table import COLUMNS, row
+from kitemj.realtime.messages import Stop
 from kitemj.realtime.pacer import Pacer
 from kitemj.recording import recorder as recording_module
 from kitemj.recording.file import read_recording
@@ -22,7 +23,7 @@ from kitemj.recording.header import from_json, header_of, to_json
 from kitemj.recording.recorder import timestamped_name
 from kitemj.recording.summary import parameters_in_words, summary
 from kitemj.recording.table import ALL, LIMITS, STEERING, STICK
-from tests.recording.flights import LOOPS, live_flight, recorded, recorder_of, restless, tick_of
+from tests.recording.flights import LOOPS, live_flight, recorded, restless
 
 CRASH_COSTS = 1.0
 """s; what the end of a program may cost. Batches are half a second apart."""
@@ -37,23 +38,22 @@ def file(tmp_path_factory):
 
 
 def test_every_number_comes_back_to_the_last_bit(tmp_path):
-    flight, stick = live_flight(), restless(1)
-    recorder, seen = recorder_of(flight, tmp_path / "kite.arrows"), []
-    for k in range(130):
-        command = next(stick) if k else Command()
-        result = flight.tick(command) if k else flight.restart()
-        recorder.add(tick_of(flight, command, result, 0.001 * k))
-        seen.append((result, flight.segment, command))
-    assert "130 ticks" in recorder.close("over")
+    flight, stick = live_flight(record=tmp_path / "kite.arrows"), restless(1)
+    seen = [(flight.result, flight.segment, Command(), 0.0)]
+    for _ in range(129):
+        command = next(stick)
+        result = flight.tick(command, due=time.perf_counter())
+        seen.append((result, flight.segment, command, flight.lateness))
+    assert "130 ticks" in flight.close("over")
     recording = read_recording(tmp_path / "kite.arrows")
     table = recording.columns
     assert recording.ending == "over"
-    for i, (result, segment, command) in enumerate(seen):
+    for i, (result, segment, command, lateness) in enumerate(seen):
         assert [table[name][i] for name in STEERING] == list(segment.control)
         assert [table[name][i] for name in COLUMNS] == row(result.motion)
         assert [table[name][i] for name in STICK] == list(command)
         assert table["gap_m"][i] == result.gap
-        assert table["lateness_s"][i] == 0.001 * i
+        assert table["lateness_s"][i] == lateness
         assert table["ref_x_E_m"][i] == result.reference.body.p_G_E.x
 
 
@@ -80,16 +80,13 @@ def test_an_hour_stays_below_500_mb(file):
 
 def test_first_departure_has_its_moment_and_reason(tmp_path):
     """A small kite whose stick is thrown about comes by a slack line in seconds."""
-    flight, stick, slack = live_flight(LOOPS), restless(2, ell=1.0, hold=90), None
-    recorder = recorder_of(flight, tmp_path / "kite.arrows")
-    recorder.add(tick_of(flight, Command(), flight.restart()))
+    flight = live_flight(LOOPS, record=tmp_path / "kite.arrows")
+    stick, slack = restless(2, ell=1.0, hold=90), None
     while slack is None and flight.ticks < 800:
-        command = next(stick)
-        result = flight.tick(command)
-        recorder.add(tick_of(flight, command, result))
+        result = flight.tick(next(stick))
         if result.departure and result.departure.limit is SLACK:
             slack = flight.ticks
-    recorder.close("over")
+    flight.close("over")
     assert slack is not None
     recording = read_recording(tmp_path / "kite.arrows")
     departed = np.flatnonzero(np.any([recording.columns[name] for name in LIMITS], axis=0))
@@ -157,26 +154,42 @@ class Disk:
         return getattr(os, name)
 
 
+class Paced:
+    """A flight in real time in a thread, which a test looks into; `times` counts its ticks."""
+
+    def __init__(self, path):
+        live_flight().warm_up()
+        self.flight, self.wishes, self.news = live_flight(record=path), [], []
+        pacer = Pacer(self.flight, lambda: self.wishes, self.news.append)
+        self.thread = threading.Thread(target=pacer.run)
+        self.thread.start()
+
+    @property
+    def times(self):
+        return self.news[-1].times
+
+    def stop(self):
+        self.wishes.append(Stop("over"))
+        self.thread.join()
+        self.flight.close("over")
+
+
 def test_full_disk_is_said_and_nothing_before_is_lost(tmp_path, monkeypatch):
     room = [60_000]
     monkeypatch.setattr(recording_module, "os", Disk(full_disk(room)))
-    flight = live_flight()
-    flight.warm_up()
-    pacer = Pacer(flight, History(flight.parameters), recorder_of(flight, tmp_path / "kite.arrows"))
-    pacer.start()
+    paced = Paced(tmp_path / "kite.arrows")
     time.sleep(1.7)
-    assert "No space left" in pacer.recorder.problem
-    flown = pacer.times.ticks
+    assert "No space left" in paced.news[-1].problem
+    flown = paced.times.ticks
     kept = read_recording(tmp_path / "kite.arrows")
     assert 0 < len(kept) < flown
     time.sleep(0.2)
-    assert pacer.times.ticks > flown  # it flies on
+    assert paced.times.ticks > flown  # it flies on
     room[0] = 10**9  # somebody makes room: what waited is written
     time.sleep(0.6)
-    assert pacer.recorder.problem == ""
-    pacer.stop()
-    pacer.recorder.close("over")
-    assert len(read_recording(tmp_path / "kite.arrows")) == pacer.times.ticks + 1
+    assert paced.news[-1].problem == ""
+    paced.stop()
+    assert len(read_recording(tmp_path / "kite.arrows")) == paced.times.ticks + 1
 
 
 def test_slow_disk_makes_no_tick_late(tmp_path, monkeypatch):
@@ -186,28 +199,23 @@ def test_slow_disk_makes_no_tick_late(tmp_path, monkeypatch):
         time.sleep(0.6)
         return os.write(file, data)
 
-    flight = live_flight()
-    flight.warm_up()
-    recorder = recorder_of(flight, tmp_path / "kite.arrows")
+    paced = Paced(tmp_path / "kite.arrows")
     monkeypatch.setattr(recording_module, "os", Disk(slow))
-    pacer = Pacer(flight, History(flight.parameters), recorder)
-    pacer.start()
     time.sleep(1.4)
-    pacer.stop()
+    paced.stop()
     # a tick that waited for the disk would be 600 ms late; 200 ms: a busy machine
-    assert pacer.times.worst < 0.2
-    recorder.close("over")
-    assert len(read_recording(tmp_path / "kite.arrows")) == pacer.times.ticks + 1
+    assert paced.times.worst < 0.2
+    assert len(read_recording(tmp_path / "kite.arrows")) == paced.times.ticks + 1
 
 
 def test_what_exists_is_kept(tmp_path):
     path = tmp_path / "kite.arrows"
     path.write_bytes(b"precious")
     with pytest.raises(InputError, match="exists"):
-        recorder_of(live_flight(), path)
+        live_flight(record=path)
     assert path.read_bytes() == b"precious"
     with pytest.raises(InputError, match="no folder"):
-        recorder_of(live_flight(), tmp_path / "nowhere" / "kite.arrows")
+        live_flight(record=tmp_path / "nowhere" / "kite.arrows")
     names = {timestamped_name(tmp_path)}
     next(iter(names)).touch()
     assert not timestamped_name(tmp_path).exists()

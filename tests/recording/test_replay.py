@@ -13,7 +13,7 @@ from kitemj.recording.export import write_table
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
-from tests.recording.flights import LOOPS, live_flight, recorded, restless
+from tests.recording.flights import LOOPS, recorded, restless
 
 GAP = 5e-6
 """m, over five minutes of calm flight; measured: 0.02 µm."""
@@ -39,7 +39,7 @@ def test_same_model_same_bits_lagrange_micrometres(calm):
 def test_wild_flights_and_restarts_have_the_same_bits_in_a_fresh_process(tmp_path):
     """Slack lines, stalls, the ground: 8 s at full stick, twice, and on from there."""
     stick = restless(2, ell=1.0, hold=90)
-    path = recorded(tmp_path / "wild.arrows", 800, live_flight(LOOPS), stick, episodes=2)
+    path = recorded(tmp_path / "wild.arrows", 800, LOOPS, stick, episodes=2)
     recording = read_recording(path)
     assert recording.columns["slack"].any()
     assert len(recording.episodes) == 2

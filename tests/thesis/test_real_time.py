@@ -9,7 +9,7 @@ import pytest
 
 from kitemj.errors import NoGraphics
 from kitemj.flight.live import TICK
-from kitemj.realtime.worker import TickNews
+from kitemj.realtime.messages import TickNews
 from thesis import real_time, real_time_flights
 from thesis.answers import dangling
 from thesis.observed_flight import FrameTime, ObservedFlight

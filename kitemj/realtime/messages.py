@@ -1,0 +1,110 @@
+"""What passes between the flight's process and those who paint: wishes there, news back."""
+
+from enum import Enum
+from typing import NamedTuple
+
+from kitemj.flight.live import Command, TickResult
+from kitemj.pilots.crash import Touch
+
+FRAME = 1 / 30
+"""s; what a person sees at once."""
+
+
+class Begin(NamedTuple):
+    """Time is to begin."""
+
+
+class Rate(NamedTuple):
+    """Simulated over wall time from now on: 1 is real time, 0 a pause."""
+
+    rate: float
+
+
+class StartAt(NamedTuple):
+    """Which of the flight's starts the next restart goes to."""
+
+    start: int
+
+
+class Deed(Enum):
+    """What is done once, before the next tick; `STEP` is a tick while paused."""
+
+    RESTART = "restart"
+    STEP = "step"
+    REWIND = "rewind"
+    SAVE = "save"
+    LOAD = "load"
+
+
+class Stop(NamedTuple):
+    """The last wish; `ending` is how the recording says the flight ended."""
+
+    ending: str
+
+
+Wish = Begin | Rate | StartAt | Deed | Command | Stop
+
+
+class Timekeeping(NamedTuple):
+    """How well real time was kept.
+
+    Tick k is to be done within `TICK` of the moment at which it is due; `missed` counts
+    those that were not, `late` those that were later than a frame. `lateness` and `worst`
+    [s]: from due to done. `largest_gap` [m] to the reference. `lost` [s]: wall time that was
+    let go (a machine asleep), not flown.
+    """
+
+    ticks: int = 0
+    missed: int = 0
+    late: int = 0
+    lateness: float = 0.0
+    worst: float = 0.0
+    largest_gap: float = 0.0
+    lost: float = 0.0
+
+    def noted(self, lateness: float, allowed: float, gap: float, lost: float) -> "Timekeeping":
+        """With one more tick, done `lateness` [s] after it was due, `gap` [m], `lost` [s]."""
+        return Timekeeping(
+            self.ticks + 1,
+            self.missed + (lateness > allowed),
+            self.late + (lateness > FRAME),
+            lateness,
+            max(self.worst, lateness),
+            max(self.largest_gap, gap),
+            self.lost + lost,
+        )
+
+
+class Ready(NamedTuple):
+    """The flight stands at its start."""
+
+    result: TickResult
+
+
+class TickNews(NamedTuple):
+    """Of one tick: `begun` and `done` [s] on the clock that all processes share.
+
+    `touch`: how the kite met the ground, where it waits now; `problem`: what the person should
+    know of the disk; `memory` [MB]: the most that the process has had so far.
+    """
+
+    begun: float
+    done: float
+    command: Command
+    result: TickResult
+    lateness: float
+    times: Timekeeping
+    touch: Touch | None
+    problem: str
+    memory: float
+
+
+class End(NamedTuple):
+    """The last news: what became of the recording; `error` is what ended the flight."""
+
+    recording: str
+    error: str = ""
+    bad_input: bool = False
+
+
+News = Ready | TickNews | End

@@ -1,0 +1,126 @@
+"""A live flight that records itself, and all that it takes to begin one."""
+
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import NamedTuple, Self
+
+from kitemj.dynamics.formulation import DEFAULT_STEP
+from kitemj.dynamics.motion import State
+from kitemj.flight.live import Command, LiveFlight, Saved, TickResult
+from kitemj.flight.scenario import Scenario
+from kitemj.physics.steering import Segment
+from kitemj.recording.header import header_of
+from kitemj.recording.recorder import Recorder
+from kitemj.recording.table import Tick
+
+CLOSED = "closed by its program"
+
+
+class RecordedFlight(LiveFlight):
+    """A `LiveFlight` that writes every tick, restart and return in time to the file `record`.
+
+    A context manager, which closes the recording. `lateness` [s] is that of the last tick.
+    """
+
+    _recorder: Recorder | None = None
+    _due: float | None = None
+    lateness = 0.0
+
+    def __init__(
+        self,
+        scenario: Scenario,
+        model: str = "mujoco",
+        reference: str | None = None,
+        step: float = DEFAULT_STEP,
+        other_starts: tuple[State, ...] = (),
+        start: int = 0,
+        record: Path | None = None,
+        overwrite: bool = False,
+    ) -> None:
+        """Stands at its start, which is the first row; raises InputError as `Recorder` does.
+
+        scenario, model, reference, step, other_starts, start  as `LiveFlight` has them
+        record     a new file; None: this flight leaves no recording
+        overwrite  whether `record` may replace a file
+        """
+        super().__init__(scenario, model, reference, step, other_starts, start)
+        if record:
+            self._recorder = Recorder(record, header_of(self), self.parameters, overwrite)
+            self._add(Command())
+
+    @property
+    def problem(self) -> str:
+        """What the person should know of the disk."""
+        return self._recorder.problem if self._recorder else ""
+
+    def restart(self, start: int = 0) -> TickResult:
+        """As `LiveFlight.restart`; begins an episode of the recording."""
+        super().restart(start)
+        return self._add(Command())
+
+    def resume(self, saved: Saved) -> TickResult:
+        """As `LiveFlight.resume`; begins an episode that goes on from that of `saved`."""
+        super().resume(saved)
+        return self._add(Command())
+
+    def tick(self, command: Command, due: float | None = None) -> TickResult:
+        """As `LiveFlight.tick`; `due` [s, perf_counter]: since when it should have been done."""
+        self._due = due
+        return super().tick(command)
+
+    def fly(self, segment: Segment, command: Command, wish: float = 0.0) -> TickResult:
+        """As `LiveFlight.fly`."""
+        super().fly(segment, command, wish)
+        return self._add(command)
+
+    def close(self, ending: str = CLOSED) -> str:
+        """Ends the recording and says why; returns a sentence on what the file holds."""
+        recorder, self._recorder = self._recorder, None
+        return recorder.close(ending) if recorder else "none"
+
+    def __enter__(self) -> Self:
+        """The flight itself."""
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Closes the recording, which tells the error that ended the flight."""
+        self.close(str(error) or type(error).__name__ if error else CLOSED)
+
+    def _add(self, command: Command) -> TickResult:
+        self.lateness = 0.0 if self._due is None else time.perf_counter() - self._due
+        self._due = None
+        if self._recorder:
+            now = self.segment.control, command, self.result, self.lateness
+            self._recorder.add(Tick(self.episode, self.ticks, *now))
+        return self.result
+
+
+class RecordedTick(NamedTuple):
+    """A tick of the past: what the stick asked for, how the lines moved."""
+
+    command: Command
+    segment: Segment
+
+
+class FlightSetup(NamedTuple):
+    """What `RecordedFlight` takes, and the ticks of the `past` that lead to where it goes on."""
+
+    scenario: Scenario
+    model: str = "mujoco"
+    reference: str | None = None
+    step: float = DEFAULT_STEP
+    other_starts: tuple[State, ...] = ()
+    start: int = 0
+    record: Path | None = None
+    overwrite: bool = False
+    past: tuple[RecordedTick, ...] = ()
+
+    def flight(self) -> RecordedFlight:
+        """The flight at its start, the past not flown yet."""
+        return RecordedFlight(*self[:-1])
