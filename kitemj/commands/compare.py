@@ -4,7 +4,6 @@ import argparse
 from pathlib import Path
 
 from kitemj.commands.arguments import MODELS, Parser, add_step, command
-from kitemj.errors import InputError
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -30,8 +29,8 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.api import compare
     from kitemj.files import check_new, new_file
-    from kitemj.flight.compare import compare_models
     from kitemj.flight.compare_table import (
         ladders_markdown,
         markdown,
@@ -50,9 +49,7 @@ def run(args: argparse.Namespace) -> int:
         text, good = ladders_markdown(rungs), all(r.holds for each in rungs.values() for r in each)
     else:
         models = args.models.split(",")
-        if len(models) < 2:
-            raise InputError(f"--models needs two or more, got {args.models!r}")
-        rows = [row for each in scenarios for row in compare_models(each, models, args.step)]
+        rows = [row for each in scenarios for row in compare(each, models, step=args.step)]
         print_table(rows)
         text, good = markdown(rows), all(row.agrees for row in rows)
     if args.markdown:

@@ -55,28 +55,27 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _modes(args: argparse.Namespace, scenario: "Scenario") -> int:
+    from kitemj.api import stability
     from kitemj.stability import plots, tables
-    from kitemj.stability.modes import stability
-    from kitemj.stability.trim import lines_held
 
-    held = lines_held(scenario.parameters, scenario.programme)
-    found = stability(scenario.parameters, *held, args.model, scenario.source)
+    found = stability(scenario, args.model)
     print("stable" if found.stable else "not stable", tables.v_ref_note(found.V_ref), sep="; ")
     linear = {"linear system": tables.matrices(found.linear)}
-    give_results(args, [tables.mode_table(found)], linear, lambda: plots.modes_figure(found))
+    give_results(args, found.tables(), linear, lambda: plots.modes_figure(found))
     return 0
 
 
 def _vary(args: argparse.Namespace, scenario: "Scenario") -> int:
+    from kitemj.api import stability
     from kitemj.stability import plots, tables
-    from kitemj.stability.modes import crossings, stability
+    from kitemj.stability.modes import crossings
     from kitemj.stability.trim import lines_held
 
     parameters, (low, high) = scenario.parameters, args.range
     ell, delta = lines_held(parameters, scenario.programme)
     found = crossings(parameters, args.vary, low, high, ell, delta, args.model)
     print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))
-    here = stability(parameters, ell, delta, args.model, scenario.source)
+    here = stability(scenario, args.model)
     give_results(args, [tables.crossing_table(found)], {}, lambda: plots.modes_figure(here))
     return 0
 
@@ -106,16 +105,15 @@ def _map(args: argparse.Namespace, scenario: "Scenario") -> int:
 
 
 def _cycle(args: argparse.Namespace, scenario: "Scenario") -> int:
+    from kitemj.api import cycle
     from kitemj.stability import plots, tables
-    from kitemj.stability.cycle import cycle
-    from kitemj.stability.trim import lines_held
 
-    held = lines_held(scenario.parameters, scenario.programme)
-    found = cycle(scenario.parameters, *held, args.model, scenario.source)
+    found = cycle(scenario, args.model)
     print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))
     print(f"period {found.period:.7g} s")
     if found.departure:
         print(f"leaves the limits of validity at {found.departure}")
-    shown = [tables.cycle_table(found), tables.multiplier_table(found)]
-    give_results(args, shown, {"period_s": found.period}, lambda: plots.cycle_figure(found))
+    give_results(
+        args, found.tables(), {"period_s": found.period}, lambda: plots.cycle_figure(found)
+    )
     return 0

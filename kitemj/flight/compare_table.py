@@ -10,6 +10,7 @@ from kitemj.flight.compare import (
     Comparison,
 )
 from kitemj.flight.ladder import Rung
+from kitemj.tables import Table
 
 HEADINGS = (
     "scenario",
@@ -49,13 +50,18 @@ def cells(row: Comparison) -> list[str]:
     ]
 
 
+def comparison_table(rows: Sequence[Comparison]) -> Table:
+    """A row for each."""
+    return Table("comparison", HEADINGS, [tuple(cells(row)) for row in rows])
+
+
 def print_table(rows: list[Comparison]) -> None:
     """The table in a terminal, with the tolerances below."""
     from rich import box
     from rich.console import Console
-    from rich.table import Table
+    from rich.table import Table as RichTable
 
-    table = Table(*HEADINGS, box=box.SIMPLE)
+    table = RichTable(*HEADINGS, box=box.SIMPLE)
     for row in rows:
         table.add_row(*cells(row))
     console = Console(width=None if Console().is_terminal else 140)
@@ -72,10 +78,10 @@ def print_ladders(ladders: dict[str, list[Rung]]) -> None:
     """For each scenario (by its name) its rungs, in a terminal."""
     from rich import box
     from rich.console import Console
-    from rich.table import Table
+    from rich.table import Table as RichTable
 
     for scenario, rungs in ladders.items():
-        table = Table(*RUNG_HEADINGS, title=scenario, title_justify="left", box=box.SIMPLE)
+        table = RichTable(*RUNG_HEADINGS, title=scenario, title_justify="left", box=box.SIMPLE)
         for rung in rungs:
             table.add_row(*rung_cells(rung))
         Console(width=None if Console().is_terminal else 140).print(table)

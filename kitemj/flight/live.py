@@ -5,15 +5,17 @@ lines with constant δ̈ and ℓ̈, and both models fly through the same tick. N
 of clocks or screens.
 """
 
+from collections.abc import Mapping
 from math import isfinite
-from typing import NamedTuple
+from pathlib import Path
+from typing import Any, NamedTuple
 
 from kitemj.dynamics.formulation import DEFAULT_STEP, make_model
 from kitemj.dynamics.motion import Motion, Snapshot, State
 from kitemj.errors import FlightError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.limits import Departure, Ending, departure_at, touches_ground
-from kitemj.flight.scenario import Scenario
+from kitemj.flight.scenario import Scenario, as_scenario
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, Segment, control, rest_ell
 
@@ -64,12 +66,13 @@ class LiveFlight:
 
     def __init__(
         self,
-        scenario: Scenario,
+        scenario: Scenario | str | Path | Mapping[str, Any],
         model: str = "mujoco",
         reference: str = "lagrange",
         step: float = DEFAULT_STEP,
         other_starts: tuple[State, ...] = (),
     ) -> None:
+        scenario = as_scenario(scenario)
         parameters = scenario.parameters
         self.starts = (scenario.start, *other_starts)
         self.scenario, self.parameters, self.step = scenario, parameters, step

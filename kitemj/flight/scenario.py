@@ -71,9 +71,17 @@ class Scenario:
         return times
 
 
-def read_scenario(path: Path) -> Scenario:
+def read_scenario(path: str | Path) -> Scenario:
     """The scenario in a TOML file; raises InputError with one sentence for what is wrong."""
+    path = Path(path)
     return scenario_of(read_toml(path), path.name)
+
+
+def as_scenario(given: Scenario | str | Path | Mapping[str, Any]) -> Scenario:
+    """A scenario: `given` itself, that of a file, or that of tables as a file has them."""
+    if isinstance(given, Scenario):
+        return given
+    return scenario_of(given, "scenario") if isinstance(given, Mapping) else read_scenario(given)
 
 
 def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:

@@ -67,19 +67,31 @@ class Study:
     digest: str
 
 
-def read_study(path: Path) -> Study:
-    """The study in a TOML file; raises InputError with one sentence for what is wrong.
+def as_study(given: Study | str | Path | Mapping[str, Any]) -> Study:
+    """A study: `given` itself, that of a file, or that of tables as a file has them."""
+    if isinstance(given, Study):
+        return given
+    return study_of(given, "study", Path()) if isinstance(given, Mapping) else read_study(given)
 
-    Its digest changes with whatever changes a result: the file, its scenario, the formulas.
+
+def read_study(path: str | Path) -> Study:
+    """The study in a TOML file; raises InputError with one sentence for what is wrong."""
+    path = Path(path)
+    return study_of(read_toml(path), path.name, path.parent)
+
+
+def study_of(tables: Mapping[str, Any], source: str, folder: Path) -> Study:
+    """The study of tables as a TOML file in `folder` has them; `source` names them in messages.
+
+    Its digest changes with whatever changes a result: the tables, the scenario, the formulas.
     """
-    tables, source = read_toml(path), path.name
     known = ["scenario", *Settings._fields, *VARIED]
     for name in tables:
         if name not in known:
             raise unknown_key(name, known, "", source)
     scenario = tables.get("scenario", {})
     if isinstance(scenario, str):
-        scenario = read_toml(path.parent / scenario)
+        scenario = read_toml(folder / scenario)
     if not isinstance(scenario, dict):
         raise InputError(f"scenario must be the name of a file or a table ({source})")
     settings = {name: tables[name] for name in Settings._fields if name in tables}

@@ -18,7 +18,7 @@ from kitemj.stability.minimal import Minimal, held, state_of, steps_for
 from kitemj.stability.modes import crossings, stability
 from kitemj.stability.orbit import range_of
 from kitemj.stability.shooting import monodromy
-from kitemj.stability.tables import cycle_table, matrices, mode_table, multiplier_table
+from kitemj.stability.tables import matrices
 from kitemj.stability.vary import with_value
 
 SETS = {
@@ -156,13 +156,13 @@ def test_extremes_are_those_between_the_samples() -> None:
 
 def test_tables_hold_the_numbers_in_named_units(case: tuple[Parameters, Cycle]) -> None:
     parameters, found = case
-    rows = {row["quantity"]: row for row in cycle_table(found).records()}
+    rows = {row["quantity"]: row for row in found.tables()[0].records()}
     assert rows["phi"]["unit"] == "deg"
     assert rows["phi"]["swing"] == pytest.approx(np.degrees(found.orbit.phi.swing))
     assert rows["tension_plus"]["high"] == found.orbit.tension_plus.high
-    assert len(multiplier_table(found).rows) == 8
+    assert len(found.tables()[1].rows) == 8
     unstable = stability(parameters)
-    assert mode_table(unstable).rows[0][2] == unstable.modes[0].real > 0
+    assert unstable.tables()[0].rows[0][2] == unstable.modes[0].real > 0
     assert matrices(unstable.linear)["B"] == unstable.linear.B.tolist()
 
 
