@@ -56,7 +56,7 @@ def test_nothing_is_loaded_before_it_is_asked_for():
 
 
 def test_every_name_is_there_for_programs_and_for_editors():
-    assert dir(kitemj) == kitemj.__all__
+    assert dir(kitemj) == sorted(kitemj.__all__)
     for name in kitemj.__all__:
         assert getattr(kitemj, name) is not None
     tree = ast.parse((ROOT / "kitemj" / "__init__.py").read_text(encoding="utf-8"))
@@ -175,17 +175,17 @@ def test_the_command_line_flies_a_pilot_as_the_program_does(tmp_path, monkeypatc
     assert main(["fly", "s.toml", "--pilot", "eight", "--stick", "x.csv"]) == 2
 
 
-def test_results_show_themselves_in_a_notebook(flight, tmp_path):
+def test_results_show_themselves_in_a_notebook(flight):
     rest = {"set": "laksa", "duration": 1.0}
     study = {"scenario": rest, "model": "lagrange", "grid": {"wind.speed": [6.0, 7.0]}}
-    results = {
-        flight: ("lagrange", "data:image/png;base64,"),
-        kitemj.compare(rest): ("mujoco / lagrange", "newton-euler / lagrange"),
-        kitemj.trim(rest): ("elevation_deg",),
-        kitemj.stability(rest): ("time_constant_s", "heave"),
-        kitemj.sweep(study): ("wind.speed", "finished"),
-    }
-    for result, parts in results.items():
+    results = (
+        (flight, ("lagrange", "data:image/png;base64,")),
+        (kitemj.compare(rest), ("mujoco / lagrange", "newton-euler / lagrange")),
+        (kitemj.trim(rest), ("elevation_deg",)),
+        (kitemj.stability(rest), ("time_constant_s", "heave")),
+        (kitemj.sweep(study), ("wind.speed", "finished")),
+    )
+    for result, parts in results:
         html = result._repr_html_()
         assert html.startswith("<table>")
         for part in parts:
