@@ -8,6 +8,9 @@ if TYPE_CHECKING:
     from kitemj.api import compare, cycle, film, replay, simulate, stability, sweep, trim
     from kitemj.dynamics.formulation import MODELS
     from kitemj.dynamics.motion import Motion, State
+    from kitemj.equilibria.cycle import Cycle
+    from kitemj.equilibria.modes import Stability
+    from kitemj.equilibria.trim import Trim
     from kitemj.errors import FlightError, InputError, NoGraphics
     from kitemj.flight.compare import Comparison
     from kitemj.flight.limits import Ending
@@ -24,9 +27,6 @@ if TYPE_CHECKING:
     from kitemj.plots.sources import read_flight
     from kitemj.recording.file import Recording, read_recording
     from kitemj.recording.replay import Replay
-    from kitemj.stability.cycle import Cycle
-    from kitemj.stability.modes import Stability
-    from kitemj.stability.trim import Trim
     from kitemj.studies.result import StudyResult
 
     __version__: str
@@ -99,9 +99,9 @@ _MODULES = {
     "plots.sources": "read_flight",
     "recording.file": "Recording read_recording",
     "recording.replay": "Replay",
-    "stability.cycle": "Cycle",
-    "stability.modes": "Stability",
-    "stability.trim": "Trim",
+    "equilibria.cycle": "Cycle",
+    "equilibria.modes": "Stability",
+    "equilibria.trim": "Trim",
     "studies.result": "StudyResult",
 }
 """Where the names are, below kitemj."""

@@ -17,14 +17,14 @@ from kitemj.flight.scenario import Scenario, as_scenario
 from kitemj.tables import Results
 
 if TYPE_CHECKING:
+    from kitemj.equilibria.cycle import Cycle
+    from kitemj.equilibria.modes import Stability
+    from kitemj.equilibria.trim import Trim
     from kitemj.flight.compare import Comparison
     from kitemj.pilots.manoeuvres import Pilot
     from kitemj.plots.flight import Flight
     from kitemj.recording.file import Recording
     from kitemj.recording.replay import Replay
-    from kitemj.stability.cycle import Cycle
-    from kitemj.stability.modes import Stability
-    from kitemj.stability.trim import Trim
     from kitemj.studies.result import StudyResult
     from kitemj.studies.study import Study
 
@@ -76,8 +76,8 @@ def trim(scenario: Given, model: str = "lagrange") -> Results[Trim]:
 
     Raises InputError where there is none.
     """
-    from kitemj.stability.tables import trim_table
-    from kitemj.stability.trim import equilibria
+    from kitemj.equilibria.tables import trim_table
+    from kitemj.equilibria.trim import equilibria
 
     return Results(equilibria(*_held(scenario), model, as_scenario(scenario).source), trim_table)
 
@@ -87,7 +87,7 @@ def stability(scenario: Given, model: str = "lagrange") -> Stability:
 
     Raises InputError where there is no equilibrium.
     """
-    from kitemj.stability.modes import stability
+    from kitemj.equilibria.modes import stability
 
     return stability(*_held(scenario), model, as_scenario(scenario).source)
 
@@ -97,7 +97,7 @@ def cycle(scenario: Given, model: str = "lagrange") -> Cycle:
 
     Raises InputError where there is none.
     """
-    from kitemj.stability.cycle import cycle
+    from kitemj.equilibria.cycle import cycle
 
     return cycle(*_held(scenario), model, as_scenario(scenario).source)
 
@@ -184,7 +184,7 @@ def film(
 
 def _held(scenario: Given) -> tuple[Any, float | None, float]:
     """The parameters of a scenario, ℓ [m] and δ [rad] that its lines are held at."""
-    from kitemj.stability.trim import lines_held
+    from kitemj.equilibria.trim import lines_held
 
     known = as_scenario(scenario)
     return known.parameters, *lines_held(known.parameters, known.programme)

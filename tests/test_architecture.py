@@ -13,7 +13,7 @@ ROOMS = (
     ("dynamics", ("physics",)),
     ("flight", ("dynamics",)),
     ("pilots", ("flight",)),
-    ("stability", ("flight",)),
+    ("equilibria", ("flight",)),
     ("studies", ("flight",)),
     ("recording", ("flight",)),
     ("plots", ("recording",)),
@@ -21,7 +21,7 @@ ROOMS = (
     ("drawing", ("pilots", "recording", "controls")),
     ("realtime", ("drawing",)),
     ("cockpit", ("drawing", "realtime", "plots")),
-    ("commands", ("cockpit", "plots", "stability", "studies")),
+    ("commands", ("cockpit", "plots", "equilibria", "studies")),
 )
 """Each room with those right below it; it may import these and all that they may."""
 

@@ -56,7 +56,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _modes(args: argparse.Namespace, scenario: "Scenario") -> int:
     from kitemj.api import stability
-    from kitemj.stability import plots, tables
+    from kitemj.equilibria import plots, tables
 
     found = stability(scenario, args.model)
     print("stable" if found.stable else "not stable", tables.v_ref_note(found.V_ref), sep="; ")
@@ -67,9 +67,9 @@ def _modes(args: argparse.Namespace, scenario: "Scenario") -> int:
 
 def _vary(args: argparse.Namespace, scenario: "Scenario") -> int:
     from kitemj.api import stability
-    from kitemj.stability import plots, tables
-    from kitemj.stability.modes import crossings
-    from kitemj.stability.trim import lines_held
+    from kitemj.equilibria import plots, tables
+    from kitemj.equilibria.modes import crossings
+    from kitemj.equilibria.trim import lines_held
 
     parameters, (low, high) = scenario.parameters, args.range
     ell, delta = lines_held(parameters, scenario.programme)
@@ -81,9 +81,9 @@ def _vary(args: argparse.Namespace, scenario: "Scenario") -> int:
 
 
 def _map(args: argparse.Namespace, scenario: "Scenario") -> int:
-    from kitemj.stability import plots, tables
-    from kitemj.stability.maps import stability_map
-    from kitemj.stability.trim import lines_held
+    from kitemj.equilibria import plots, tables
+    from kitemj.equilibria.maps import stability_map
+    from kitemj.equilibria.trim import lines_held
 
     x, a, b, y, c, d = args.map
     axes = (
@@ -106,7 +106,7 @@ def _map(args: argparse.Namespace, scenario: "Scenario") -> int:
 
 def _cycle(args: argparse.Namespace, scenario: "Scenario") -> int:
     from kitemj.api import cycle
-    from kitemj.stability import plots, tables
+    from kitemj.equilibria import plots, tables
 
     found = cycle(scenario, args.model)
     print(tables.v_ref_note(getattr(scenario.parameters.aero, "V_ref", None)))

@@ -24,9 +24,9 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.api import trim
+    from kitemj.equilibria import plots
+    from kitemj.equilibria.tables import trim_table
     from kitemj.flight.scenario import read_scenario
-    from kitemj.stability import plots
-    from kitemj.stability.tables import trim_table
 
     check_results(args)
     scenario = read_scenario(args.scenario)

@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from kitemj.dynamics.lagrange import body
+from kitemj.equilibria.linearise import Linear, linearise, state_matrix
+from kitemj.equilibria.minimal import Minimal, held, state_of
+from kitemj.equilibria.trim import trimmed
+from kitemj.equilibria.vary import check_range, unit_of, with_value
 from kitemj.errors import InputError
 from kitemj.physics.frames import R_1E, Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell
-from kitemj.stability.linearise import Linear, linearise, state_matrix
-from kitemj.stability.minimal import Minimal, held, state_of
-from kitemj.stability.trim import trimmed
-from kitemj.stability.vary import check_range, unit_of, with_value
 from kitemj.tables import Table, Tabled
 
 Array = NDArray[np.float64]

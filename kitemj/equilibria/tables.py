@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from math import degrees
 
-from kitemj.stability.linearise import INPUTS, OUTPUTS, STATES, Linear
-from kitemj.stability.maps import StabilityMap
-from kitemj.stability.modes import Crossing
-from kitemj.stability.trim import Trim
+from kitemj.equilibria.linearise import INPUTS, OUTPUTS, STATES, Linear
+from kitemj.equilibria.maps import StabilityMap
+from kitemj.equilibria.modes import Crossing
+from kitemj.equilibria.trim import Trim
 from kitemj.tables import Cell, Table
 
 

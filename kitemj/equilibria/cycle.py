@@ -7,7 +7,7 @@ period T, are corrected by Newton's method until the flow of the asked model clo
 eigenvalues; one of them is 1 (along the orbit), and how close it comes to that tells the
 accuracy of the others. A cycle that repels is not found this way.
 
-`aero.V_ref` stays what the set says, whatever the wind (see `kitemj.stability.modes`).
+`aero.V_ref` stays what the set says, whatever the wind (see `kitemj.equilibria.modes`).
 """
 
 from dataclasses import dataclass
@@ -16,15 +16,15 @@ from math import cos, degrees
 import numpy as np
 from numpy.typing import NDArray
 
+from kitemj.equilibria.linearise import state_matrix, state_units
+from kitemj.equilibria.minimal import Array, Minimal, held, steps_for
+from kitemj.equilibria.orbit import SAMPLES, Orbit, orbit
+from kitemj.equilibria.shooting import MOST_ROUNDS, STANDS, Closed, closed, monodromy, primitive
+from kitemj.equilibria.trim import trimmed
 from kitemj.errors import InputError
 from kitemj.flight.limits import Departure, departure_at
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, rest_ell
-from kitemj.stability.linearise import state_matrix, state_units
-from kitemj.stability.minimal import Array, Minimal, held, steps_for
-from kitemj.stability.orbit import SAMPLES, Orbit, orbit
-from kitemj.stability.shooting import MOST_ROUNDS, STANDS, Closed, closed, monodromy, primitive
-from kitemj.stability.trim import trimmed
 from kitemj.tables import Cell, Table, Tabled
 
 NUDGE = 0.2
