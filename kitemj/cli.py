@@ -51,7 +51,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     called = time.perf_counter()
     words = _parser().parse_args(arguments)
     words.called = called
-    _say_if_cold()
     try:
         for module in words.use:
             use(module)
@@ -71,14 +70,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("kitemj: interrupted; nothing was written", file=sys.stderr)
         return 130
-
-
-def _say_if_cold() -> None:
-    """The first run after an installation or a change of the formulas takes its time."""
-    from kitemj.physics.compiled import cache_folder
-
-    if not cache_folder().exists():
-        print("compiling the formulas for this machine, once: some 15 s", file=sys.stderr)
 
 
 def _parser() -> Parser:

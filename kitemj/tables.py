@@ -6,21 +6,45 @@ numbers are rounded only where they are printed.
 
 import csv
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from html import escape
 from math import isfinite
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from kitemj.errors import InputError
 from kitemj.files import new_file
 
 Cell = float | str | bool
+T = TypeVar("T")
 
 FORMATS = (".json", ".csv", ".parquet")
 WIDE = 8
 """Columns that fit side by side in a terminal."""
 PIPED = 200
 """Characters of a line that goes to a file or a pipe."""
+
+
+UNITS = {
+    "rad_s2": "rad/s²",
+    "m_s2": "m/s²",
+    "rad_per_s": "rad/s",
+    "rad_s": "rad/s",
+    "per_s": "1/s",
+    "m_s": "m/s",
+    "rad": "rad",
+    "deg": "deg",
+    "Hz": "Hz",
+    "s": "s",
+    "m": "m",
+    "N": "N",
+}
+"""What a column's name ends in, and the unit that this means; the first that fits counts."""
+
+
+def unit_of_column(name: str) -> str:
+    """The unit of the column called `name`; "1" where it has none."""
+    return next((unit for end, unit in UNITS.items() if name.endswith(f"_{end}")), "1")
 
 
 class Table(NamedTuple):
@@ -33,6 +57,45 @@ class Table(NamedTuple):
     def records(self) -> list[dict[str, Cell]]:
         """A dictionary for each row, as JSON has them."""
         return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
+
+    def html(self) -> str:
+        """For a notebook: on its side if it is wide, as in a terminal."""
+        lines = [self.columns, *(tuple(map(_text, row)) for row in self.rows)]
+        if len(self.columns) > WIDE:
+            lines = list(zip(*lines, strict=True))
+        body = "".join(
+            f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in lines
+        )
+        return f"<table><caption>{escape(self.title)}</caption>{body}</table>"
+
+
+class Tabled:
+    """A result that a notebook shows as its tables."""
+
+    def tables(self) -> list[Table]:
+        """What it holds, in short, for people."""
+        raise NotImplementedError
+
+    def _repr_html_(self) -> str:
+        return "".join(table.html() for table in self.tables())
+
+    def in_short(self) -> str:
+        """The first table in one line."""
+        title, _, rows = self.tables()[0]
+        told = "; ".join(" ".join(map(_text, row)) for row in rows)
+        return f"<{type(self).__name__} {title}: {told}>"
+
+
+class Results(list[T], Tabled):
+    """Several results, which make one table."""
+
+    def __init__(self, results: Iterable[T], table: Callable[[Sequence[T]], Table]) -> None:
+        super().__init__(results)
+        self._table = table
+
+    def tables(self) -> list[Table]:
+        """A row for each."""
+        return [self._table(self)]
 
 
 def check_format(path: Path) -> None:

@@ -14,22 +14,31 @@ ROOMS = (
     ("dynamics", ("physics",)),
     ("flight", ("dynamics",)),
     ("pilots", ("flight",)),
-    ("stability", ("flight",)),
+    ("equilibria", ("flight",)),
     ("studies", ("flight",)),
     ("recording", ("flight",)),
     ("plots", ("recording",)),
     ("controls", ("pilots",)),
     ("realtime", ("pilots", "recording")),
     ("drawing", ("pilots", "recording", "controls")),
-    ("cockpit", ("drawing", "realtime")),
-    ("commands", ("cockpit", "plots", "stability", "studies")),
+    ("cockpit", ("drawing", "realtime", "plots")),
+    ("commands", ("cockpit", "plots", "equilibria", "studies")),
 )
 """Each room with those right below it; it may import these and all that they may."""
 
-GROUND = ("closing", "data_files", "errors", "files", "mujoco_import", "registry", "tables")
+GROUND = (
+    "closing",
+    "data_files",
+    "errors",
+    "files",
+    "mujoco_import",
+    "progress_bar",
+    "registry",
+    "tables",
+)
 """Root files below all rooms; they import one another only."""
-TOP = ("__init__", "__main__", "cli")
-"""Root files above all rooms, which no room imports."""
+TOP = ("__init__", "__main__", "api", "cli")
+"""Root files above all rooms, which no room imports; but the commands call the api."""
 
 FORMULATIONS = {
     "lagrange": {"lagrange", "lagrange_kite", "solve4"},
@@ -66,7 +75,7 @@ def module(path: tuple[str, ...]) -> tuple[str, ...]:
 
 @pytest.mark.parametrize("room", dict(ROOMS))
 def test_rooms_import_in_one_direction(room):
-    allowed = below(room) | set(GROUND)
+    allowed = below(room) | set(GROUND) | ({"api"} if room == "commands" else set())
     for file in sorted((PACKAGE / room).glob("**/*.py")):
         rooms = {path[0] for path in imported(file)}
         assert rooms <= allowed, f"{file.name} imports {rooms - allowed}"

@@ -54,7 +54,7 @@ BAD = {
     "no step": (["simulate", "SHORT", "--output", "x.csv", "--step", "0"], "--step must be > 0 s"),
     "no folder": (["simulate", "SHORT", "--output", "none/x.csv"], "there is no folder none"),
     "size": (["film", "SHORT", "--output", "x.mp4", "--size", "big"], "must be like 1280x720"),
-    "one model": (["compare", "SHORT", "--models", "mujoco"], "--models needs two or more"),
+    "one model": (["compare", "SHORT", "--models", "mujoco"], "models needs two or more"),
 }
 
 

@@ -14,11 +14,11 @@ from typing import NamedTuple
 import pytest
 from pyarrow.parquet import read_table
 
+from kitemj.equilibria.vary import parameter_names, unit_of, value_of, with_value
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import LinearAero, aero_law
 from kitemj.physics.parameter_files import AERO_LAWS, parameter_set, parameter_tables
 from kitemj.registry import Registry, use
-from kitemj.stability.vary import parameter_names, unit_of, value_of, with_value
 
 LAWS = """
 from math import cos, exp, sin, tanh
@@ -120,7 +120,7 @@ import json
 from math import exp, tan
 from kitemj.errors import InputError
 from kitemj.physics.parameter_files import parameter_set
-from kitemj.stability.trim import equilibria, trimmed
+from kitemj.equilibria.trim import equilibria, trimmed
 
 WIND = {"law": "jet", "speed": 5.0, "azimuth_deg": 20.0, "growth": 0.01}
 

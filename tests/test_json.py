@@ -8,14 +8,14 @@ import pytest
 
 from kitemj.cli import main
 from kitemj.data_files import SCENARIOS, shipped_or_file
+from kitemj.equilibria.modes import stability
+from kitemj.equilibria.tables import mode_table, trim_table
+from kitemj.equilibria.trim import equilibria, lines_held
 from kitemj.flight.compare import compare_models
 from kitemj.flight.reach import reach_of
 from kitemj.flight.scenario import read_scenario
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.recording.file import read_recording
-from kitemj.stability.modes import stability
-from kitemj.stability.tables import mode_table, trim_table
-from kitemj.stability.trim import equilibria, lines_held
 from kitemj.tables import Table, json_text
 from tests.recording.flights import live_flight, recorded
 

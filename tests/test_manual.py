@@ -3,6 +3,7 @@
 Each page's blocks are steps, done in order at one desk: a folder with scenarios of a second.
 """
 
+import ast
 import importlib.util
 import os
 import re
@@ -64,6 +65,8 @@ INSTALLERS: dict[str, list[str]] = {
 NOT_OURS = ("polars", "pandas")
 """Programs that read recordings, tried where they are."""
 KINDS = {"console", "python", "toml", "text"}
+NOTEBOOK = "notebook.md"
+"""Its blocks are run in one namespace, and what they end with is shown."""
 
 
 class Step(NamedTuple):
@@ -133,12 +136,21 @@ def desk(tmp_path_factory):
     return folder
 
 
-def cut(toml: str) -> str:
-    return re.sub(r"^duration = [\d.]+", f"duration = {SECONDS}", toml, flags=re.MULTILINE)
+@pytest.fixture(scope="module")
+def notebook():
+    return {"__name__": "notebook"}
+
+
+def cut(text: str) -> str:
+    return re.sub(r'^duration = [\d.]+|(?<="duration": )[\d.]+', shorter, text, flags=re.MULTILINE)
+
+
+def shorter(duration: re.Match[str]) -> str:
+    return f"duration = {SECONDS}" if "=" in duration[0] else str(SECONDS)
 
 
 @pytest.mark.parametrize("step", STEPS, ids=called)
-def test_every_block_works_in_order(step, desk, monkeypatch):
+def test_every_block_works_in_order(step, desk, notebook, monkeypatch):
     monkeypatch.chdir(desk)
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
         monkeypatch.delenv(name, raising=False)
@@ -147,12 +159,14 @@ def test_every_block_works_in_order(step, desk, monkeypatch):
         return
     assert step.kind in KINDS, "of a kind that is tried"
     if step.name:
-        text = cut(step.text) if step.kind == "toml" else step.text
-        (desk / step.name).write_text(text, encoding="utf-8")
+        (desk / step.name).write_text(cut(step.text), encoding="utf-8")
     if step.kind == "toml":
         check_toml(step, desk)
     if step.kind == "python":
-        run_python(step, desk, monkeypatch)
+        if step.page == NOTEBOOK:
+            run_cell(step, notebook)
+        else:
+            run_python(step, desk, monkeypatch)
 
 
 def type_in(words: list[str]) -> None:
@@ -209,7 +223,7 @@ def run_python(step: Step, desk: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         if re.search(rf"^import {package}$", step.text, re.MULTILINE):
             pytest.importorskip(package)
     file = desk / (step.name or "snippet.py")
-    file.write_text(step.text, encoding="utf-8")
+    file.write_text(cut(step.text), encoding="utf-8")
     if step.name in OWN_FORMULAS:
         run_apart(file)
         return
@@ -228,6 +242,19 @@ def run_apart(*words: str | Path) -> None:
         [sys.executable, *words], env=environment, capture_output=True, check=False
     )
     assert done.returncode == 0, done.stderr.decode()
+
+
+def run_cell(step: Step, namespace: dict[str, object]) -> None:
+    """Runs a block, and shows its last expression as a notebook does."""
+    tree = ast.parse(cut(step.text))
+    last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+    exec(compile(tree, called(step), "exec"), namespace)
+    if last:
+        result = eval(compile(ast.Expression(last.value), called(step), "eval"), namespace)
+        html = getattr(result, "_repr_html_", result.__repr__)()
+        assert html, "something is shown"
+        if type(result).__module__.startswith("kitemj"):
+            assert html.startswith(("<table>", "<img", "PerLine"))
 
 
 def test_there_is_much_to_try():

@@ -1,23 +1,33 @@
-"""Sources of films: a scenario flown by a model, or a recording; both give shots."""
+"""Sources of films: a simulated flight, or a recording; both give shots."""
 
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import isfinite, nan
-from typing import Protocol
+from pathlib import Path
+from typing import Any, Protocol
 
 import numpy as np
 
 from kitemj.cockpit.parallel_painting import Shot
+from kitemj.cockpit.screens import FRAME_RATE
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.recorded_traces import RecordedTraces
+from kitemj.dynamics.formulation import DEFAULT_STEP
+from kitemj.dynamics.motion import Motion
+from kitemj.errors import InputError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.limits import departure_at
-from kitemj.flight.scenario import Scenario
+from kitemj.flight.scenario import Scenario, as_scenario
 from kitemj.flight.simulate import simulate
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
-from kitemj.recording.file import Recording
-from kitemj.recording.replay import Replay
-from kitemj.recording.track import Track
+from kitemj.physics.steering import Control
+from kitemj.plots.flight import Flight, flight_of_simulation
+from kitemj.recording.file import Recording, read_recording
+from kitemj.recording.recorder import SUFFIX
+from kitemj.recording.replay import Replay, replay
+from kitemj.recording.track import Track, between
 
 
 class FilmSource(Protocol):
@@ -32,37 +42,58 @@ class FilmSource(Protocol):
         """The shot `t` [s] after the start, shown `speed` times as fast as it was."""
 
 
-class ScenarioSource:
-    """`model` flying `scenario` beside the Lagrangian reference, every `interval` [s].
+class MotionSource:
+    """A simulated flight, beside the motions of a reference at the same times if there are any.
 
-    Raises InputError for what cannot be flown.
+    `stick` says what steered. Raises InputError for a flight that has columns only.
     """
 
-    def __init__(self, scenario: Scenario, model: str, step: float, interval: float) -> None:
-        interval = min(interval, scenario.times.duration)
-        framed = replace(scenario, times=scenario.times._replace(output_interval=interval))
-        flight = simulate(framed, model, step)
-        self.parameters, self.caption = scenario.parameters, f"{scenario.source}: {model}"
-        self.ending = flight.ending.value
-        self._model, self._interval, self._motions = model, interval, flight.motions
-        self._references = simulate(framed, "lagrange", step).motions
-        self.duration = flight.motions[-1].t
+    def __init__(
+        self, flight: Flight, references: Sequence[Motion] = (), stick: str = "simulated"
+    ) -> None:
+        if not flight.motions:
+            raise InputError(
+                f"{flight.name} was read from a file and has no motions: film the file"
+            )
+        self.parameters, self.caption = flight.parameters, flight.name
+        self.ending = flight.ending.value if flight.ending else ""
+        self._model, self._stick = flight.model, stick
+        self._motions, self._references = flight.motions, references
+        self._times = [motion.t for motion in flight.motions]
+        self.duration = self._times[-1]
 
     def shot(self, t: float, speed: float) -> Shot:
-        """The shot at the row nearest to `t` [s]."""
-        row = min(round(t / self._interval), len(self._motions) - 1)
-        motion = self._motions[row]
-        reference = self._references[row] if row < len(self._references) else None
+        """What is seen at `t` [s], between two motions too."""
+        row = max(bisect_right(self._times, t + SAME) - 1, 0)
+        motion = self._motion(self._motions, row, t)
+        known = row < len(self._references)
+        reference = self._motion(self._references, row, t) if known else None
         departure = departure_at(self.parameters, motion)
         readings = Readings(
             model=self._model,
             gap=position_gap(motion, reference) if reference else None,
             delta_command=motion.control.delta,
-            stick="programme",
+            stick=self._stick,
             speed=speed,
             message=departure.limit.sentence if departure else "",
         )
         return Shot(motion, reference, readings)
+
+    def _motion(self, motions: Sequence[Motion], row: int, t: float) -> Motion:
+        """The motion at `t` [s], at or after that of `row`."""
+        now = motions[row]
+        if t - now.t <= SAME or row + 1 >= len(motions):
+            return now
+        then = motions[row + 1]
+        part = (t - now.t) / (then.t - now.t)
+        steering = Control(
+            *((1 - part) * a + part * b for a, b in zip(now.control, then.control, strict=True))
+        )
+        return between(self.parameters, now, then, part, steering)
+
+
+SAME = 1e-6
+"""s; far below a frame of any film, far above the rounding of times."""
 
 
 class RecordingSource:
@@ -111,3 +142,36 @@ class RecordingSource:
             traces=self._traces.at(row),
         )
         return Shot(motion, reference, readings)
+
+
+def scenario_source(scenario: Scenario, model: str, step: float, interval: float) -> MotionSource:
+    """`model` flying `scenario` beside the Lagrangian reference, every `interval` [s].
+
+    `step` [s] is the longest. Raises InputError for what cannot be flown.
+    """
+    interval = min(interval, scenario.times.duration)
+    framed = replace(scenario, times=scenario.times._replace(output_interval=interval))
+    references = simulate(framed, "lagrange", step).motions
+    flight = flight_of_simulation(simulate(framed, model, step))
+    caption = f"{scenario.source}: {model}"
+    return MotionSource(replace(flight, name=caption), references, "programme")
+
+
+def film_source(
+    given: Flight | Recording | Scenario | str | Path | Mapping[str, Any],
+    model: str | None = None,
+    step: float | None = None,
+    interval: float = 1 / FRAME_RATE,
+) -> FilmSource:
+    """What can be filmed of a flight, a recording, a scenario, or a file of either.
+
+    `model` flies a scenario (mujoco if None), or the input of a recording again, beside it;
+    `step` [s] is its longest, `interval` [s] that of the frames. Raises InputError.
+    """
+    if isinstance(given, (str, Path)) and Path(given).suffix.lower() == SUFFIX:
+        given = read_recording(given)
+    if isinstance(given, Recording):
+        return RecordingSource(given, replay(given, model, step) if model else None)
+    if isinstance(given, Flight):
+        return MotionSource(given)
+    return scenario_source(as_scenario(given), model or "mujoco", step or DEFAULT_STEP, interval)

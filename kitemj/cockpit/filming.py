@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pygame
-from rich.progress import track
 
 from kitemj.cockpit.film import Film, check_film
 from kitemj.cockpit.film_sources import FilmSource
@@ -14,6 +13,7 @@ from kitemj.cockpit.parallel_painting import Frame, Painter, Stage, painted, wor
 from kitemj.cockpit.screens import FRAME_RATE
 from kitemj.errors import InputError
 from kitemj.files import check_new, new_file
+from kitemj.progress_bar import with_progress
 
 
 class FilmStyle(NamedTuple):
@@ -44,8 +44,8 @@ def film(
     start: float = 0.0,
     end: float | None = None,
     overwrite: bool = False,
-) -> None:
-    """Films flights side by side; a bar shows the time left.
+) -> str:
+    """Films flights side by side, and returns a sentence on what became of that.
 
     sources: the flights, from left to right
     path: the film; its ending says which kind
@@ -66,28 +66,27 @@ def film(
     frames = painted(_stage(sources, style), shots, workers_for(count))
     with Film(path, *style.size, style.rate, overwrite) as written:
         try:
-            for frame in track(frames, description=f"filming {path}", total=count):
+            for frame in with_progress(f"filming {path}", frames, count):
                 written.add(frame)
         except KeyboardInterrupt:
-            print(f"interrupted: {path} has the first {written.frames} of {count} frames")
-            return
+            return f"interrupted: {path} has the first {written.frames} of {count} frames"
         finally:
             frames.close()
     endings = "; ".join(source.ending for source in sources)
-    print(f"{path}: {written.frames} frames; {endings}")
+    return f"{path}: {written.frames} frames; {endings}"
 
 
 def still(
     sources: Sequence[FilmSource], path: Path, style: FilmStyle, t: float, overwrite: bool = False
-) -> None:
-    """Writes the picture at `t` [s] as a PNG file."""
+) -> str:
+    """Writes the picture at `t` [s] as a PNG file, and returns a sentence that says so."""
     longest = max(source.duration for source in sources)
     if not 0.0 <= t <= longest + 1e-9:
         raise InputError(f"`still` must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")
     with Painter(_stage(sources, style)) as painter, new_file(path, overwrite) as part:
         frame = painter.paint([source.shot(t, style.speed) for source in sources])
         part.write_bytes(_png(frame))
-    print(f"{path}: {t:g} s")
+    return f"{path}: {t:g} s"
 
 
 def _stage(sources: Sequence[FilmSource], style: FilmStyle) -> Stage:

@@ -55,6 +55,15 @@ def add_step(parser: Parser) -> None:
     parser.add_argument("--step", type=float, default=DEFAULT_STEP, metavar="S", help=says)
 
 
+def add_pilot(parser: Parser) -> None:
+    """``--pilot``."""
+    parser.add_argument(
+        "--pilot",
+        metavar="WHO",
+        help="has the stick: hold, loop, eight, land, or one of your own as FILE.py:NAME",
+    )
+
+
 def add_picture(parser: Parser) -> None:
     """``--view`` and ``--size``."""
     parser.add_argument("--view", choices=VIEWS, default=VIEWS[0], help="where from")

@@ -4,7 +4,6 @@ import argparse
 from pathlib import Path
 
 from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_json, add_step, command
-from kitemj.errors import InputError
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -31,9 +30,9 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.api import compare
     from kitemj.files import check_new, new_file
     from kitemj.flight import compare_table as as_table
-    from kitemj.flight.compare import compare_models
     from kitemj.flight.ladder import ladder
     from kitemj.flight.scenario import read_scenario
     from kitemj.tables import json_text, markdown, print_table
@@ -48,9 +47,7 @@ def run(args: argparse.Namespace) -> int:
         text = "\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in shown)
     else:
         models = args.models.split(",")
-        if len(models) < 2:
-            raise InputError(f"--models needs two or more, got {args.models!r}")
-        rows = [row for each in scenarios for row in compare_models(each, models, args.step)]
+        rows = [row for each in scenarios for row in compare(each, models, step=args.step)]
         shown = [as_table.comparison_table(rows)]
         numbers, tolerances = as_table.comparison_numbers(rows), as_table.TOLERANCES
         text = f"{markdown(shown[0])}\n{as_table.TOLERANCES_TOLD}\n"

@@ -2,13 +2,9 @@
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_picture, command, size
 from kitemj.errors import InputError
-
-if TYPE_CHECKING:
-    from kitemj.cockpit.film_sources import FilmSource
 
 MOST = 2
 
@@ -42,6 +38,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.cockpit.film_sources import film_source
     from kitemj.cockpit.filming import FilmStyle, check_output, film, still
 
     style = FilmStyle(size(args.size), args.view, args.instruments, args.rate, args.speed)
@@ -51,26 +48,11 @@ def run(args: argparse.Namespace) -> int:
     if len(args.source) * len(models) > MOST:
         raise InputError(f"at most {MOST} flights stand side by side: two files, or two models")
     interval = (args.still or 1.0) if is_still else args.speed / args.rate
-    sources = [_source(args, path, model, interval) for path in args.source for model in models]
+    sources = [
+        film_source(path, model, args.step, interval) for path in args.source for model in models
+    ]
     if is_still:
-        still(sources, args.output, style, args.still, args.overwrite)
+        print(still(sources, args.output, style, args.still, args.overwrite))
     else:
-        film(sources, args.output, style, args.start, args.end, args.overwrite)
+        print(film(sources, args.output, style, args.start, args.end, args.overwrite))
     return 0
-
-
-def _source(
-    args: argparse.Namespace, path: Path, model: str | None, interval: float
-) -> "FilmSource":
-    """The flight in a file: flown by `model`, or recorded and flown again by it."""
-    from kitemj.cockpit.film_sources import RecordingSource, ScenarioSource
-    from kitemj.dynamics.formulation import DEFAULT_STEP
-    from kitemj.flight.scenario import read_scenario
-    from kitemj.recording.file import read_recording
-    from kitemj.recording.replay import replay
-
-    if path.suffix.lower() == ".toml" or not (path.suffix or path.exists()):
-        step = args.step or DEFAULT_STEP
-        return ScenarioSource(read_scenario(path), model or "mujoco", step, interval)
-    recording = read_recording(path)
-    return RecordingSource(recording, replay(recording, model, args.step) if model else None)

@@ -6,7 +6,16 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_picture, add_step, command, size
+from kitemj.commands.arguments import (
+    MODELS,
+    SCENARIO,
+    Parser,
+    add_picture,
+    add_pilot,
+    add_step,
+    command,
+    size,
+)
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -45,6 +54,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     )
     parser.add_argument("--arm", type=float, metavar="M", help="arms of so much, which limits δ")
     parser.add_argument("--stick", type=Path, metavar="FILE.csv", help="a table flies, nobody else")
+    add_pilot(parser)
     parser.add_argument(
         "--from", dest="past", type=Path, metavar="RECORDING", help="go on from its last flight"
     )
@@ -140,9 +150,15 @@ def _record(args: argparse.Namespace) -> Path | None:
 
 
 def _programme(args: argparse.Namespace, scenario: "Scenario") -> "Stick | None":
-    """The table that flies, if there is one."""
+    """The table or the pilot that flies, if there is one."""
     from kitemj.controls.programmed import read_programmed_stick
+    from kitemj.controls.stick import PilotStick
+    from kitemj.pilots.registry import as_pilot
 
+    if args.pilot and args.stick:
+        raise InputError("--pilot and --stick both want the stick: give one of them")
+    if args.pilot:
+        return PilotStick(as_pilot(args.pilot))
     return read_programmed_stick(args.stick, scenario.parameters) if args.stick else None
 
 

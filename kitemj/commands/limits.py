@@ -43,9 +43,9 @@ def run(args: argparse.Namespace) -> int:
     from kitemj.tables import Table, print_table, write
 
     check_results(args)
-    flight, notes = read_flight(args.file, args.model, args.episode, args.kite)
+    flight = read_flight(args.file, args.model, args.episode, args.kite)
     rows: list[tuple[Cell, ...]] = [*extremes(flight)]
-    for note in notes:
+    for note in flight.notes:
         print(note)
     print_table(Table(f"limits: {flight.name}", Extremes._fields, [_worded(row) for row in rows]))
     print(left_limits(flight.departure))

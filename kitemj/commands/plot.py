@@ -2,11 +2,17 @@
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import MODELS, Parser, command
 from kitemj.errors import InputError
+from kitemj.plots.figures import FIGURES
 
-FIGURES = ("state", "rates", "tensions", "angles", "steering", "path", "window")
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from kitemj.plots.flight import Flight
+
 ALL = "all"
 
 
@@ -30,7 +36,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
         "--what",
         default=ALL,
         metavar="A,B",
-        help=f"which of {', '.join(FIGURES)}; default {ALL} that the file has numbers for",
+        help=f"which of {', '.join(FIGURES.shipped)}; default {ALL} that the file has numbers for",
     )
     add_save(parser, "figures: .png, .pdf or .svg; without it they are shown in windows")
     parser.set_defaults(run=run)
@@ -75,7 +81,6 @@ def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.flight.limits import left_limits
     from kitemj.plots.figure_files import check_figures, save_figures
-    from kitemj.plots.figures import drawn
     from kitemj.plots.sources import read_flight
     from kitemj.plots.windows import check_windows, show
 
@@ -84,9 +89,9 @@ def run(args: argparse.Namespace) -> int:
         check_figures(args.save, names or list(FIGURES), args.overwrite)
     else:
         check_windows()
-    flight, notes = read_flight(args.file, args.model, args.episode, args.kite)
-    figures, lacking = drawn(flight, names)
-    for note in notes + lacking:
+    flight = read_flight(args.file, args.model, args.episode, args.kite)
+    figures, lacking = _drawn(flight, names)
+    for note in (*flight.notes, *lacking):
         print(note)
     if flight.departure:
         print(left_limits(flight.departure))
@@ -102,8 +107,23 @@ def _names(what: str) -> list[str]:
     """The figures that were named, each once; none: all."""
     names = list(dict.fromkeys(what.split(",")))
     for name in names:
-        if name not in (*FIGURES, ALL):
+        if name != ALL and name not in FIGURES:
             raise InputError(
                 f"there is no figure {name!r}; there are: {', '.join(FIGURES)}, and {ALL}"
             )
     return [] if ALL in names else names
+
+
+def _drawn(flight: "Flight", names: list[str]) -> "tuple[dict[str, Figure], list[str]]":
+    """The figures called `names`; none of them: all that can be drawn, and why others cannot."""
+    figures, lacking = {}, []
+    for name in names or FIGURES:
+        try:
+            figures[name] = flight.plot(name)
+        except InputError as error:
+            if names:
+                raise
+            lacking.append(f"without {name}: {error}")
+    if not figures:
+        raise InputError(lacking[0])
+    return figures, lacking

@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_step, command
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_pilot, add_step, command
 
 
 def add(commands: "argparse._SubParsersAction[Parser]") -> None:
@@ -19,6 +19,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     parser.add_argument("--output", type=Path, required=True, metavar="FILE.csv")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE.csv if it exists")
+    add_pilot(parser)
     add_step(parser)
     parser.set_defaults(run=run)
 
@@ -30,9 +31,15 @@ def run(args: argparse.Namespace) -> int:
     from kitemj.flight.motion_table import write_csv
     from kitemj.flight.scenario import read_scenario
     from kitemj.flight.simulate import simulate
+    from kitemj.pilots.piloted import simulate_pilot
+    from kitemj.pilots.registry import as_pilot
 
     check_new(args.output, args.overwrite)
-    flight = simulate(read_scenario(args.scenario), args.model, args.step)
+    scenario = read_scenario(args.scenario)
+    if args.pilot:
+        flight = simulate_pilot(scenario, as_pilot(args.pilot), args.model, args.step)
+    else:
+        flight = simulate(scenario, args.model, args.step)
     write_csv(args.output, flight.motions, args.overwrite)
     print(f"{args.output}: {len(flight.motions)} rows, {flight.model}; {flight.ending.value}")
     if flight.departure:

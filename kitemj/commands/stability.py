@@ -55,39 +55,37 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _modes(args: argparse.Namespace, scenario: "Scenario") -> int:
-    from kitemj.stability import plots, tables
-    from kitemj.stability.modes import stability
-    from kitemj.stability.trim import lines_held
+    from kitemj.api import stability
+    from kitemj.equilibria import plots, tables
 
-    held = lines_held(scenario.parameters, scenario.programme)
-    found = stability(scenario.parameters, *held, args.model, scenario.source)
+    found = stability(scenario, args.model)
     notes = [f"{'stable' if found.stable else 'not stable'}; {tables.v_ref_note(found.V_ref)}"]
     linear: dict[str, object] = {"linear system": tables.matrices(found.linear)}
     if args.json:
         linear["stable"] = found.stable
-    shown = [tables.mode_table(found)]
-    give_results(args, shown, linear, lambda: plots.modes_figure(found), notes)
+    give_results(args, found.tables(), linear, lambda: plots.modes_figure(found), notes)
     return 0
 
 
 def _vary(args: argparse.Namespace, scenario: "Scenario") -> int:
-    from kitemj.stability import plots, tables
-    from kitemj.stability.modes import crossings, stability
-    from kitemj.stability.trim import lines_held
+    from kitemj.api import stability
+    from kitemj.equilibria import plots, tables
+    from kitemj.equilibria.modes import crossings
+    from kitemj.equilibria.trim import lines_held
 
     parameters, (low, high) = scenario.parameters, args.range
     ell, delta = lines_held(parameters, scenario.programme)
     found = crossings(parameters, args.vary, low, high, ell, delta, args.model)
-    here = stability(parameters, ell, delta, args.model, scenario.source)
+    here = stability(scenario, args.model)
     shown, notes = [tables.crossing_table(found)], [_note(scenario)]
     give_results(args, shown, {}, lambda: plots.modes_figure(here), notes)
     return 0
 
 
 def _map(args: argparse.Namespace, scenario: "Scenario") -> int:
-    from kitemj.stability import plots, tables
-    from kitemj.stability.maps import stability_map
-    from kitemj.stability.trim import lines_held
+    from kitemj.equilibria import plots, tables
+    from kitemj.equilibria.maps import stability_map
+    from kitemj.equilibria.trim import lines_held
 
     x, a, b, y, c, d = args.map
     axes = (
@@ -108,21 +106,19 @@ def _map(args: argparse.Namespace, scenario: "Scenario") -> int:
 
 
 def _cycle(args: argparse.Namespace, scenario: "Scenario") -> int:
-    from kitemj.stability import plots, tables
-    from kitemj.stability.cycle import cycle
-    from kitemj.stability.trim import lines_held
+    from kitemj.api import cycle
+    from kitemj.equilibria import plots
 
-    held = lines_held(scenario.parameters, scenario.programme)
-    found = cycle(scenario.parameters, *held, args.model, scenario.source)
+    found = cycle(scenario, args.model)
     notes = [_note(scenario), f"period {found.period:.7g} s"]
     if found.departure:
         notes.append(f"leaves the limits of validity at {found.departure}")
-    shown = [tables.cycle_table(found), tables.multiplier_table(found)]
-    give_results(args, shown, {"period_s": found.period}, lambda: plots.cycle_figure(found), notes)
+    period = {"period_s": found.period}
+    give_results(args, found.tables(), period, lambda: plots.cycle_figure(found), notes)
     return 0
 
 
 def _note(scenario: "Scenario") -> str:
-    from kitemj.stability.tables import v_ref_note
+    from kitemj.equilibria.tables import v_ref_note
 
     return v_ref_note(getattr(scenario.parameters.aero, "V_ref", None))

@@ -2,7 +2,6 @@
 
 import argparse
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -80,6 +79,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _fly(args: argparse.Namespace, journal: "Journal") -> None:
+    from kitemj.progress_bar import progress_bar
     from kitemj.studies.executors import dask_executor, local_executor
     from kitemj.studies.sweep import sweep, tried
 
@@ -89,7 +89,8 @@ def _fly(args: argparse.Namespace, journal: "Journal") -> None:
         left = len(journal.done) - journal.count
         _ask(left, cost * left / executor.workers, executor, args.yes)
         if left:
-            _with_progress(journal, lambda tell: sweep(journal, executor, cost, tell))
+            with progress_bar("flights", len(journal.done), journal.count) as tell:
+                sweep(journal, executor, cost, tell)
 
 
 def _ask(flights: int, seconds: float, executor: "StudyExecutor", yes: bool) -> None:
@@ -108,13 +109,3 @@ def _duration(seconds: float) -> str:
         if seconds >= 2 * size:
             return f"{seconds / size:.0f} {unit}"
     return f"{seconds:.0f} s"
-
-
-def _with_progress(journal: "Journal", fly: Callable[[Callable[[int], None]], None]) -> None:
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
-
-    columns = ("flights", MofNCompleteColumn(), BarColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task("", total=len(journal.done), completed=journal.count)
-        fly(lambda done: progress.update(task, completed=done))

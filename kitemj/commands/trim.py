@@ -23,18 +23,13 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
+    from kitemj.api import trim
+    from kitemj.equilibria import plots
+    from kitemj.equilibria.tables import trim_table
     from kitemj.flight.scenario import read_scenario
-    from kitemj.stability import plots
-    from kitemj.stability.tables import trim_table
-    from kitemj.stability.trim import equilibria, lines_held
 
     check_results(args)
     scenario = read_scenario(args.scenario)
-    ell, delta = lines_held(scenario.parameters, scenario.programme)
-    trims = [
-        trim
-        for model in args.models.split(",")
-        for trim in equilibria(scenario.parameters, ell, delta, model, scenario.source)
-    ]
+    trims = [found for model in args.models.split(",") for found in trim(scenario, model)]
     give_results(args, [trim_table(trims)], {}, lambda: plots.trim_figure(trims))
     return 0

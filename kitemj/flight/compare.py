@@ -1,6 +1,6 @@
 """The same scenario through several models: how far apart they fly, and when."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import asin, sqrt
 from typing import NamedTuple
 
@@ -11,6 +11,7 @@ from kitemj.errors import InputError
 from kitemj.flight.limits import SLACK, first_departure
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import Simulation, simulate
+from kitemj.progress_bar import with_progress
 
 POSITION_TOLERANCE = 1e-6
 """m; what the project promises of MuJoCo at its default step over a minute of calm flight."""
@@ -107,7 +108,10 @@ def compare(flight: Simulation, reference: Simulation) -> Comparison:
     )
 
 
-def compare_models(scenario: Scenario, models: list[str], step: float) -> list[Comparison]:
+def compare_models(scenario: Scenario, models: Sequence[str], step: float) -> list[Comparison]:
     """Each of `models` against the last of them, which is the reference."""
-    flights = [simulate(scenario, model, step) for model in models]
+    flights = [
+        simulate(scenario, model, step)
+        for model in with_progress(f"flying {scenario.source}", models, len(models))
+    ]
     return [compare(flight, flights[-1]) for flight in flights[:-1]]

@@ -1,6 +1,6 @@
 """Comparisons and ladders as tables: in words for people, in numbers for machines."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import isnan
 
 from kitemj.flight.compare import (
@@ -53,7 +53,7 @@ TOLERANCES_TOLD = (
 )
 
 
-def comparison_table(rows: list[Comparison]) -> Table:
+def comparison_table(rows: Sequence[Comparison]) -> Table:
     """For people; without a title."""
     return Table(
         "",
@@ -77,7 +77,7 @@ def comparison_table(rows: list[Comparison]) -> Table:
     )
 
 
-def comparison_numbers(rows: list[Comparison]) -> Table:
+def comparison_numbers(rows: Sequence[Comparison]) -> Table:
     """For machines."""
     return Table(
         "comparisons",

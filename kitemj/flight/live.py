@@ -5,8 +5,10 @@ lines with constant δ̈ and ℓ̈, and the model (with its reference, where the
 that tick. Nothing here knows of clocks or screens.
 """
 
+from collections.abc import Mapping
 from math import isfinite
-from typing import NamedTuple
+from pathlib import Path
+from typing import Any, NamedTuple
 
 from kitemj.dynamics.batch import clearance
 from kitemj.dynamics.formulation import DEFAULT_STEP, Model, make_model
@@ -14,7 +16,7 @@ from kitemj.dynamics.motion import Motion, Snapshot, State
 from kitemj.errors import FlightError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.limits import GROUND, SLACK, VALIDITY, Departure, departure_at
-from kitemj.flight.scenario import Scenario
+from kitemj.flight.scenario import Scenario, as_scenario
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, Segment, control, rest_ell
 
@@ -79,7 +81,7 @@ class LiveFlight:
 
     def __init__(
         self,
-        scenario: Scenario,
+        scenario: Scenario | str | Path | Mapping[str, Any],
         model: str = "mujoco",
         reference: str | None = None,
         step: float = DEFAULT_STEP,
@@ -95,6 +97,7 @@ class LiveFlight:
         other_starts  states to begin at besides; `starts` has the scenario's first, then these
         start         which of `starts` to begin at
         """
+        scenario = as_scenario(scenario)
         parameters = scenario.parameters
         self.starts = (scenario.start, *other_starts)
         self.scenario, self.parameters, self.step = scenario, parameters, step

@@ -92,6 +92,13 @@ def parameters_named(name: str) -> Parameters:
     return read_scenario(path).parameters
 
 
+def as_scenario(given: Scenario | str | Path | Mapping[str, Any]) -> Scenario:
+    """A scenario: `given` itself, that of a file, or that of tables as a file has them."""
+    if isinstance(given, Scenario):
+        return given
+    return scenario_of(given, "scenario") if isinstance(given, Mapping) else read_scenario(given)
+
+
 def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
     """The scenario of tables as a TOML file has them; `source` names them in messages."""
     known = ["set", *Times._fields, "aero", *SECTIONS, "steering", "start"]

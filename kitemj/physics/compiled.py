@@ -7,6 +7,8 @@ or another steering programme takes its place without touching the dynamics.
 """
 
 import hashlib
+import multiprocessing
+import sys
 import tempfile
 from collections.abc import Callable
 from contextlib import suppress
@@ -16,6 +18,7 @@ from typing import Any, TypeVar
 
 import numba
 from numba import njit
+from numba.core import event
 from numba.extending import overload
 from platformdirs import user_cache_path
 
@@ -49,6 +52,28 @@ def cache_folder() -> Path:
         home = Path(tempfile.mkdtemp(prefix="kitemj-"))
     return home / f"compiled-{digest.hexdigest()[:16]}"
 
+
+class _FirstCompilation(event.Listener):
+    """Says once why nothing happens for a while, where nothing is compiled yet."""
+
+    said = False
+
+    def on_start(self, event: event.Event) -> None:
+        """A formula is about to be compiled: it was not found on the disk."""
+        if not (self.said or multiprocessing.parent_process() or _is_kept()):
+            print("compiling the formulas for this machine, once: some 15 s", file=sys.stderr)
+        self.said = True
+
+    def on_end(self, event: event.Event) -> None:
+        """Nothing to be said."""
+
+
+def _is_kept() -> bool:
+    """Whether machine code of any formula is on the disk."""
+    return any(cache_folder().glob("**/*.nbi"))
+
+
+event.register("numba:compile", _FirstCompilation())  # type: ignore[no-untyped-call]
 
 _formulas: list[Any] = []
 _strangers: dict[str, bytes] = {}

@@ -48,7 +48,7 @@ class Hold:
 class Loop:
     """A full loop to the right (`side` +1) or left (-1) at full stick, then back to the top."""
 
-    def __init__(self, side: float) -> None:
+    def __init__(self, side: float = 1.0) -> None:
         self._side, self._twist, self._hold = side, Twist(), Hold()
         self.looped = False
 

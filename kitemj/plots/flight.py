@@ -1,34 +1,102 @@
-"""One flight as columns, wherever it came from: what every figure is drawn of."""
+"""One flight as columns, wherever it came from: what figures are drawn of and tables made of."""
+
+from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
-from kitemj.flight.limits import RECORDED, Departure, Numbers, departure_in, touches_ground
+from kitemj.flight.limits import (
+    RECORDED,
+    Departure,
+    Ending,
+    Numbers,
+    departure_in,
+    touches_ground,
+)
 from kitemj.flight.motion_table import COLUMNS
 from kitemj.flight.simulate import Simulation
+from kitemj.physics.checked import unknown_key
 from kitemj.physics.parameters import Parameters
+from kitemj.plots.figures import FIGURES
 from kitemj.recording.file import Recording
 from kitemj.recording.table import MOTION, Columns, limit_numbers, motion_row
+from kitemj.tables import Cell, Table, Tabled, unit_of_column
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 AIR_AND_LINES = ("alpha_deg", "beta_deg", "tension_plus_N", "tension_minus_N")
 """What the limits of validity are about."""
 
 
-class Flight(NamedTuple):
+@dataclass(frozen=True, repr=False, eq=False)
+class Flight(Tabled):
     """Columns of shape (rows,), named and in units as in a recording; `t_s` rises.
 
     `name` is what titles call the flight. Not all columns of a recording must be there.
+    `model`, `motions` (one a row) and `ending` are those of a flight that was simulated just
+    now, else "", empty and None; `notes` are sentences on what is to be known of it.
     """
 
     name: str
     parameters: Parameters
     columns: Columns
+    notes: tuple[str, ...] = ()
+    model: str = ""
+    motions: Sequence[Motion] = ()
+    ending: Ending | None = None
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        """The column called `name`; InputError, with the names there are, for another."""
+        if name not in self.columns:
+            raise unknown_key(name, list(self.columns), "", self.name)
+        return self.columns[name]
+
+    def __len__(self) -> int:
+        """Number of rows."""
+        return len(self.t)
+
+    def table(self) -> pa.Table:
+        """All columns; the metadata of each field tell its `unit`."""
+        import pyarrow as pa
+
+        arrays = {name: pa.array(column) for name, column in self.columns.items()}
+        fields = [
+            pa.field(name, array.type, metadata={"unit": unit_of_column(name)})
+            for name, array in arrays.items()
+        ]
+        return pa.table(list(arrays.values()), schema=pa.schema(fields, {"name": self.name}))
+
+    def plot(self, what: str = "state") -> Figure:
+        """The figure called `what`, one of `FIGURES`; InputError where its columns lack."""
+        return FIGURES[what](self)
+
+    def tables(self) -> list[Table]:
+        """How long it lasted, how it ended, where it left its limits."""
+        t = self.t
+        rows: list[tuple[Cell, ...]] = [
+            ("time", f"{t[0]:g} s to {t[-1]:g} s, {len(t)} rows"),
+            ("limits of validity", f"left at {self.departure}" if self.departure else "kept"),
+        ]
+        if self.ending:
+            rows.append(("ending", self.ending.value))
+        return [Table(self.name, ("", ""), [*rows, *(("note", note) for note in self.notes)])]
+
+    __repr__ = Tabled.in_short
+
+    def _repr_html_(self) -> str:
+        try:
+            return super()._repr_html_() + (self.plot("window")._repr_html_() or "")
+        except InputError:  # a table without a position or attitude
+            return super()._repr_html_()
 
     @property
     def t(self) -> Array:
@@ -100,8 +168,17 @@ def flight_of_motions(name: str, parameters: Parameters, motions: Sequence[Motio
 
 def flight_of_simulation(simulation: Simulation) -> Flight:
     """A scenario that was simulated."""
+    if not simulation.motions:
+        raise InputError(f"{simulation.scenario.source} could not be flown: {simulation.note}")
     name = f"{simulation.scenario.source}, {simulation.model}"
-    return flight_of_motions(name, simulation.scenario.parameters, simulation.motions)
+    flight = flight_of_motions(name, simulation.scenario.parameters, simulation.motions)
+    return replace(
+        flight,
+        notes=(simulation.note,) if simulation.note else (),
+        model=simulation.model,
+        motions=simulation.motions,
+        ending=simulation.ending,
+    )
 
 
 def flight_of_recording(recording: Recording, episode: int = 0) -> Flight:

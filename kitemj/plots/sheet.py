@@ -47,9 +47,9 @@ RIGHT_WING = LineStyle("right wing, A₋", RIGHT, "-", 1.4)
 
 def sheet(title: str, height: float) -> Figure:
     """An empty figure of `height` [inches], with no screen behind it."""
-    from matplotlib.figure import Figure
+    from kitemj.plots.inline_figure import InlineFigure
 
-    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    figure = InlineFigure(figsize=(WIDTH, height), layout="constrained")
     figure.suptitle(title, fontsize=TEXT_SIZE + 1)
     return figure
 

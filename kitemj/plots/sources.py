@@ -3,7 +3,6 @@
 from dataclasses import replace
 from math import ceil
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
@@ -25,20 +24,14 @@ ROWS = 1000
 """Of a scenario, at least: so many that the straight lines between them do not show."""
 
 
-class Found(NamedTuple):
-    """A flight, and sentences on what was chosen in the person's stead."""
-
-    flight: Flight
-    notes: list[str]
-
-
-def read_flight(path: Path, model: str = "", episode: int = 0, kite: str = "") -> Found:
-    """The flight in the file `path`, and what was chosen in it.
+def read_flight(path: str | Path, model: str = "", episode: int = 0, kite: str = "") -> Flight:
+    """The flight in the file `path`; its notes say what was chosen in it.
 
     `model` flies a scenario (lagrange unless given); `episode` (from 1; 0: the longest) is one of
     a recording or its table; `kite`, a set or a scenario's file, that of a table. Raises
     InputError for a file that holds no flight and for a choice that means nothing with it.
     """
+    path = Path(path)
     if path.suffix.lower() in ("", SCENARIO):
         path = shipped_or_file(path, SCENARIOS)
     if not path.is_file():
@@ -58,28 +51,24 @@ def read_flight(path: Path, model: str = "", episode: int = 0, kite: str = "") -
     return _tabled(path, episode, kite) if kind in TABLES else _recorded(path, episode)
 
 
-def _simulated(scenario: Scenario, model: str) -> Found:
+def _simulated(scenario: Scenario, model: str) -> Flight:
     """The flight of a scenario, a row every interval of the scenario or a whole part of it."""
     interval, duration = scenario.times.output_interval, scenario.times.duration
     parts = max(1, ceil(ROWS * interval / duration))
     finer = replace(scenario, times=scenario.times._replace(output_interval=interval / parts))
-    simulation = simulate(finer, model)
-    if not simulation.motions:
-        raise InputError(f"{scenario.source} could not be flown: {simulation.note}")
-    early = simulation.ending is not Ending.FINISHED
-    notes = (
-        [simulation.note or f"the flight ended early: {simulation.ending.value}"] if early else []
-    )
-    return Found(flight_of_simulation(simulation), notes)
+    flight = flight_of_simulation(simulate(finer, model))
+    if flight.notes or flight.ending is Ending.FINISHED or flight.ending is None:
+        return flight
+    return replace(flight, notes=(f"the flight ended early: {flight.ending.value}",))
 
 
-def _recorded(path: Path, episode: int) -> Found:
+def _recorded(path: Path, episode: int) -> Flight:
     recording = read_recording(path)
     chosen, notes = _episode(path, recording.episodes, episode)
-    return Found(flight_of_recording(recording, chosen), notes)
+    return replace(flight_of_recording(recording, chosen), notes=tuple(notes))
 
 
-def _tabled(path: Path, episode: int, kite: str) -> Found:
+def _tabled(path: Path, episode: int, kite: str) -> Flight:
     columns = read_columns(path)
     episodes = episodes_of(columns)
     chosen, notes = _episode(path, episodes, episode)
@@ -91,7 +80,7 @@ def _tabled(path: Path, episode: int, kite: str) -> Found:
     if not kite:
         notes.append(f"{path.name} does not say which kite flew it; its lines fit the set {name}")
     number = f", flight {chosen + 1} of {len(episodes)}" if len(episodes) > 1 else ""
-    return Found(Flight(f"{path.name}, {Path(name).name}{number}", parameters, rows), notes)
+    return Flight(f"{path.name}, {Path(name).name}{number}", parameters, rows, tuple(notes))
 
 
 def _episode(path: Path, episodes: list[slice], asked: int) -> tuple[int, list[str]]:

@@ -14,10 +14,11 @@ from kitemj.physics.parameters import Parameters
 from kitemj.recording.header import Header, from_json
 from kitemj.recording.recorder import ENDING_KEY, HEADER_KEY, SUFFIX
 from kitemj.recording.table import ALL, Columns, limit_numbers
+from kitemj.tables import Cell, Table, Tabled
 
 
-@dataclass(frozen=True)
-class Recording:
+@dataclass(frozen=True, repr=False, eq=False)
+class Recording(Tabled):
     """Header, parameters and columns (each of shape (rows,)) of the file `path`.
 
     `ending` is how the flight ended, "" where the file breaks off before it says so.
@@ -32,6 +33,18 @@ class Recording:
     def __len__(self) -> int:
         """Number of rows."""
         return len(self.columns["tick"])
+
+    def tables(self) -> list[Table]:
+        """What was flown, how long, and how it ended; `kitemj info` tells more."""
+        header, seconds = self.header, len(self) * self.header.tick
+        rows: list[tuple[Cell, ...]] = [
+            ("flown", f"{header.scenario}, {header.model}"),
+            ("time", f"{seconds:.2f} s, {len(self)} ticks, flights: {len(self.episodes)}"),
+            ("ended", self.ending or "it breaks off"),
+        ]
+        return [Table(self.path.name, ("", ""), rows)]
+
+    __repr__ = Tabled.in_short
 
     @property
     def episodes(self) -> list[slice]:
@@ -68,8 +81,9 @@ class Recording:
         )
 
 
-def read_recording(path: Path) -> Recording:
+def read_recording(path: str | Path) -> Recording:
     """The recording in a file; raises InputError with one sentence where it is none."""
+    path = Path(path)
     batches, about = _batches(path)
     header = from_json(about, path.name)
     if not any(batch.num_rows for batch, _ in batches):

@@ -17,6 +17,9 @@ from kitemj.studies.study import Base
 PATIENCE = 10
 """s; how long a scheduler may take to answer, and its first worker to come."""
 
+SHORT = 5.0
+"""s of work, for which it takes longer to start processes (some 3 s) and fly there."""
+
 
 class StudyExecutor(Protocol):
     """Workers that fly what they are given; `deaths` are what a lost worker raises."""
@@ -56,6 +59,22 @@ class LocalExecutor:
     def close(self) -> None:
         """Lets the processes end."""
         self._pool.shutdown(wait=True, cancel_futures=True)
+
+
+class InProcessExecutor:
+    """This process itself: soonest for a few flights."""
+
+    workers, name = 1, "this process"
+    deaths: tuple[type[BaseException], ...] = ()
+
+    def submit(self, base: Base, flights: list[tuple[int, Point]]) -> "Future[list[Row]]":
+        """See `StudyExecutor`; the rows are there at once."""
+        future: Future[list[Row]] = Future()
+        future.set_result(fly_all(base, flights))
+        return future
+
+    def renew(self) -> None:
+        """See `StudyExecutor`."""
 
 
 def _prepare() -> None:
@@ -99,6 +118,16 @@ def local_executor(processes: int | None = None) -> Iterator[StudyExecutor]:
         yield executor
     finally:
         executor.close()
+
+
+@contextmanager
+def executor_for(seconds: float, processes: int | None) -> Iterator[StudyExecutor]:
+    """What flies `seconds` [s] of work soonest, unless a number of `processes` is asked for."""
+    if processes is None and seconds < SHORT:
+        yield InProcessExecutor()
+        return
+    with local_executor(processes) as executor:
+        yield executor
 
 
 @contextmanager

@@ -69,21 +69,35 @@ class Study:
     digest: str
 
 
+def as_study(given: Study | str | Path | Mapping[str, Any]) -> Study:
+    """A study: `given` itself, that of a file, or that of tables as a file has them."""
+    if isinstance(given, Study):
+        return given
+    return study_of(given, "study", Path()) if isinstance(given, Mapping) else read_study(given)
+
+
 def read_study(path: str | Path) -> Study:
     """The study in a TOML file, or of those that ship the one of this name.
 
-    Raises InputError with one sentence for what is wrong. Its scenario stands beside it, or ships.
-    Its digest changes with whatever changes a result: the file, its scenario, the formulas.
+    Raises InputError with one sentence for what is wrong.
     """
-    path = shipped_or_file(path, STUDIES)
-    tables, source = read_toml(path), path.name
+    found = shipped_or_file(path, STUDIES)
+    return study_of(read_toml(found), found.name, found.parent)
+
+
+def study_of(tables: Mapping[str, Any], source: str, folder: Path) -> Study:
+    """The study of tables as a TOML file in `folder` has them; `source` names them in messages.
+
+    Its scenario stands in `folder`, or ships. Its digest changes with whatever changes a result:
+    the tables, the scenario, the formulas.
+    """
     known = ["scenario", *Settings._fields, *VARIED]
     for name in tables:
         if name not in known:
             raise unknown_key(name, known, "", source)
     scenario = tables.get("scenario", {})
     if isinstance(scenario, str):
-        scenario = read_toml(shipped_or_file(scenario, SCENARIOS, path.parent))
+        scenario = read_toml(shipped_or_file(scenario, SCENARIOS, folder))
     if not isinstance(scenario, dict):
         raise InputError(f"scenario must be the name of a file or a table ({source})")
     settings = {name: tables[name] for name in Settings._fields if name in tables}

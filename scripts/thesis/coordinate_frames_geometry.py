@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange import body
 from kitemj.dynamics.motion import attachment_E
+from kitemj.equilibria.minimal import held
 from kitemj.physics.frames import R_1E, R_2E, R_BE, Angles
 from kitemj.physics.parameter_files import parameter_set
-from kitemj.stability.minimal import held
 
 Array = NDArray[np.float64]
 

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from kitemj.equilibria.trim import equilibria
+from kitemj.equilibria.vary import with_value
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
-from kitemj.stability.trim import equilibria
-from kitemj.stability.vary import with_value
 from kitemj.tables import Cell, Table
 from thesis.section import Answer, Drawing, NamedTable, Section
 from thesis.subplots import subplots

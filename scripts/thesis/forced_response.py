@@ -13,13 +13,13 @@ import numpy as np
 from scipy.optimize import brentq
 
 from kitemj.dynamics.lagrange_kite import flown
+from kitemj.equilibria.linearise import state_units
+from kitemj.equilibria.minimal import Array, Minimal, held, state_of
+from kitemj.equilibria.shooting import monodromy
+from kitemj.equilibria.trim import trimmed
+from kitemj.equilibria.vary import with_value
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Sines, rest_ell
-from kitemj.stability.linearise import state_units
-from kitemj.stability.minimal import Array, Minimal, held, state_of
-from kitemj.stability.shooting import monodromy
-from kitemj.stability.trim import trimmed
-from kitemj.stability.vary import with_value
 
 STEP = 0.04
 """s; Runge-Kutta steps. Half of it moves the thresholds by less than 1e-5."""

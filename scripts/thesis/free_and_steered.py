@@ -7,9 +7,9 @@ import numpy as np
 
 from kitemj.dynamics.batch import ALPHA, BETA, TENSIONS
 from kitemj.dynamics.batch import Array as Rows
+from kitemj.equilibria.modes import stability
 from kitemj.flight.limits import batch_numbers, departure_in
 from kitemj.physics.parameters import Parameters
-from kitemj.stability.modes import stability
 from kitemj.tables import Cell, Table
 from thesis.forced_response import LAST, SineSteering, stability_threshold
 from thesis.free_and_steered_figures import (

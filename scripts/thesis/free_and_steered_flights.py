@@ -8,15 +8,15 @@ import numpy as np
 from kitemj.dynamics.batch import BETA
 from kitemj.dynamics.batch import Array as Rows
 from kitemj.dynamics.formulation import make_model
+from kitemj.equilibria.cycle import Cycle, cycle
+from kitemj.equilibria.minimal import state_of
+from kitemj.equilibria.modes import crossings
+from kitemj.equilibria.trim import trimmed
+from kitemj.equilibria.vary import with_value
 from kitemj.flight.limits import TOUCH
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell
-from kitemj.stability.cycle import Cycle, cycle
-from kitemj.stability.minimal import state_of
-from kitemj.stability.modes import crossings
-from kitemj.stability.trim import trimmed
-from kitemj.stability.vary import with_value
 from thesis.forced_response import SineSteering
 
 LENGTHS = (80.0, 200.0)  # m

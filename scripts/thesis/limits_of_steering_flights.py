@@ -8,9 +8,9 @@ import numpy as np
 
 from kitemj.dynamics.batch import BETA, Array
 from kitemj.dynamics.motion import Motion
+from kitemj.equilibria.trim import equilibria
 from kitemj.physics.parameters import StickLimits
 from kitemj.plots.flight import Flight, flight_of_motions
-from kitemj.stability.trim import equilibria
 from thesis.programmed_steering import Schedule, lagrange_rows, scenario
 
 LENGTHS = (80.0, 200.0)  # m

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kitemj.equilibria.vary import with_value
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.physics.aerodynamics import coefficients
 from kitemj.physics.frames import R_1E, R_B2
@@ -13,7 +14,6 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import ell_delta, rest_ell
 from kitemj.physics.vectors import Vector
-from kitemj.stability.vary import with_value
 from kitemj.tables import Table
 
 PHI, GAMMA = radians(25.0), radians(20.0)

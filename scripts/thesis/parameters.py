@@ -6,9 +6,9 @@ from math import degrees, sqrt
 from pathlib import Path
 from typing import Any
 
+from kitemj.equilibria.vary import with_value
 from kitemj.physics.parameter_files import parameter_set, read_toml
 from kitemj.physics.parameters import Parameters
-from kitemj.stability.vary import with_value
 from kitemj.tables import Cell, Table
 from thesis.misprints import misprint_table, rotation_table
 from thesis.section import Answer, NamedTable, Section, Verdict

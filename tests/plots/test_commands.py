@@ -9,7 +9,6 @@ import pytest
 from matplotlib import pyplot
 
 from kitemj.cli import main
-from kitemj.commands.plot import FIGURES as NAMES
 from kitemj.flight.motion_table import write_csv
 from kitemj.plots.figures import FIGURES
 from kitemj.plots.windows import show
@@ -25,10 +24,6 @@ def scenario(tmp_path, monkeypatch):
 
 def listed(folder):
     return sorted(path.name for path in folder.iterdir())
-
-
-def test_the_command_knows_every_figure():
-    assert tuple(FIGURES) == NAMES
 
 
 def test_pictures_are_called_by_their_figures(scenario, tmp_path, capsys):

@@ -1,6 +1,7 @@
 """What is drawn is what was flown: numbers read back from the figures; units, text, lines."""
 
 import re
+from dataclasses import replace
 from math import sin
 
 import numpy as np
@@ -60,7 +61,7 @@ def test_state_and_rates(flight, motions):
 
 def test_the_state_does_not_jump_by_whole_turns(flight):
     turned = (flight.columns["phi_rad"] + 40.0 * flight.t + np.pi) % (2 * np.pi) - np.pi
-    figure = FIGURES["state"](flight._replace(columns={**flight.columns, "phi_rad": turned}))
+    figure = FIGURES["state"](replace(flight, columns={**flight.columns, "phi_rad": turned}))
     (drawn,) = curves(figure, 0)
     assert np.ptp(turned) < 2 * np.pi
     assert np.ptp(np.radians(drawn)) > 79.0
@@ -118,7 +119,7 @@ def test_window_is_seen_by_the_pilot():
     assert left == pytest.approx((-45.0, 0.0))
     assert above[1] == pytest.approx(90.0)
     wind = flight.parameters.wind._replace(azimuth=0.5)
-    turned = flight._replace(parameters=flight.parameters._replace(wind=wind))
+    turned = replace(flight, parameters=flight.parameters._replace(wind=wind))
     downwind = np.array([[-np.cos(0.5), -np.sin(0.5), 0.0]])
     assert bearing(turned, downwind)[0] == pytest.approx((0.0, 0.0))
 
@@ -147,7 +148,7 @@ def test_units_and_text(name, flight):
 def test_what_is_beyond_the_limits_says_so(name, flight):
     beta = flight.columns["beta_deg"].copy()
     beta[20:23] = 40.0
-    flight = flight._replace(columns={**flight.columns, "beta_deg": beta})
+    flight = replace(flight, columns={**flight.columns, "beta_deg": beta})
     (legend,) = DRAWN[name](flight).legends
     told = " ".join(text.get_text() for text in legend.get_texts())
     assert f"at t = {flight.t[20]:.2f} s: the sideslip angle is beyond β_max" in told.replace(
@@ -159,6 +160,6 @@ def test_the_ground_does_not_set_the_scale(flight):
     wild, ground = flight.columns["theta_rad"].copy(), np.arange(len(flight.t)) > 30
     wild[31:] += 50.0
     figure = FIGURES["state"](
-        flight._replace(columns={**flight.columns, "theta_rad": wild, "ground": ground})
+        replace(flight, columns={**flight.columns, "theta_rad": wild, "ground": ground})
     )
     assert max(figure.axes[3].get_ylim()) < 360.0

@@ -1,5 +1,6 @@
 """Parts of the limits, held against numbers worked out by hand."""
 
+from dataclasses import replace
 from math import isnan
 
 import numpy as np
@@ -77,6 +78,6 @@ def test_missing_column_is_named():
     flight = by_hand()
     columns = {name: column for name, column in flight.columns.items() if name != "beta_deg"}
     with pytest.raises(InputError, match="lacks the column beta_deg, needed for the limits; the"):
-        extremes(flight._replace(columns=columns))
+        extremes(replace(flight, columns=columns))
     with pytest.raises(InputError, match="no number in the column beta_deg, row 3"):
         extremes(by_hand(beta_deg=[0.0, 0.0, np.nan, 0.0, 0.0]))

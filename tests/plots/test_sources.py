@@ -32,40 +32,40 @@ def recording(tmp_path):
 
 
 def test_a_scenario_is_flown_finer_than_its_rows(scenario):
-    flight, notes = read_flight(scenario)
+    flight = read_flight(scenario)
     own = [motion.t for motion in simulation().motions]
     assert len(flight.t) > ROWS
     assert np.allclose([flight.t[np.argmin(np.abs(flight.t - t))] for t in own], own, atol=1e-12)
-    assert notes == []
+    assert not flight.notes
     assert flight.name == "eight.toml, lagrange"
-    assert read_flight(Path("rest_200m")).flight.name == "rest_200m.toml, lagrange"
-    assert read_flight(scenario, "newton-euler").flight.name.endswith("newton-euler")
+    assert read_flight(Path("rest_200m")).name == "rest_200m.toml, lagrange"
+    assert read_flight(scenario, "newton-euler").name.endswith("newton-euler")
 
 
 def test_a_recording_and_its_table_are_the_same_flight(recording, tmp_path):
-    flight, notes = read_flight(recording)
+    flight = read_flight(recording)
     kept = read_recording(recording)
     table = tmp_path / "x.csv"
     write_table(table, kept)
-    again, said = read_flight(table)
+    again = read_flight(table)
     for name in ("t_s", "theta_rad", "omega_x_B_rad_s", "tension_minus_N", "ground"):
         assert np.array_equal(flight.columns[name], kept.columns[name])
         assert np.array_equal(again.columns[name], kept.columns[name])
     assert flight.parameters == kept.parameters == parameter_set("sport")
-    assert notes == []
-    assert said == ["x.csv does not say which kite flew it; its lines fit the set sport"]
+    assert not flight.notes
+    assert again.notes == ("x.csv does not say which kite flew it; its lines fit the set sport",)
     assert again.parameters.limits == flight.parameters.limits
 
 
 def test_the_longest_flight_unless_one_is_asked_for(tmp_path):
     path = recorded(tmp_path / "two.arrows", 10, episodes=2)
-    flight, notes = read_flight(path)
+    flight = read_flight(path)
     assert len(flight.t) == 11
-    assert notes == ["two.arrows holds 2 flights; drawn is the longest, flight 1"]
-    assert read_flight(path, episode=2).flight.name.endswith("flight 2 of 2")
+    assert flight.notes == ("two.arrows holds 2 flights; drawn is the longest, flight 1",)
+    assert read_flight(path, episode=2).name.endswith("flight 2 of 2")
     table = tmp_path / "two.csv"
     write_table(table, read_recording(path))
-    second = read_flight(table, episode=2).flight
+    second = read_flight(table, episode=2)
     assert np.array_equal(second.columns["leg"], np.full(11, 1))
     for file in (path, table):
         with pytest.raises(InputError, match=r"episode must be 1 to 2 for two\..*, got 3"):
@@ -75,7 +75,7 @@ def test_the_longest_flight_unless_one_is_asked_for(tmp_path):
 def test_a_table_of_simulate_finds_its_kite(tmp_path):
     path = tmp_path / "flight.csv"
     write_csv(path, simulation().motions)
-    assert read_flight(path).flight.parameters == parameter_set("sport")
+    assert read_flight(path).parameters == parameter_set("sport")
     with pytest.raises(InputError, match=r"was not flown by laksa: its lines end .* m from where"):
         read_flight(path, kite="laksa")
 
@@ -84,12 +84,12 @@ def test_a_kite_of_no_set_must_be_named(tmp_path):
     text = TOML + "kite = { y_A = 0.45 }\n"
     scenario = tmp_path / "wide.toml"
     scenario.write_text(text)
-    columns = dict(read_flight(scenario).flight.columns)
+    columns = dict(read_flight(scenario).columns)
     path = tmp_path / "wide.parquet"
     parquet.write_table(pa.table(columns), path)
     with pytest.raises(InputError, match=r"was not flown by laksa or .*; give another kite"):
         read_flight(path)
-    assert read_flight(path, kite=str(scenario)).flight.parameters.kite.y_A == 0.45
+    assert read_flight(path, kite=str(scenario)).parameters.kite.y_A == 0.45
 
 
 BAD = {

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from kitemj.dynamics.batch import ALPHA, BETA, TENSIONS
+from kitemj.equilibria.minimal import held
+from kitemj.equilibria.modes import crossings, growth
 from kitemj.flight.live import TICK
 from kitemj.physics.steering import control, line_motion, rest_ell
-from kitemj.stability.minimal import held
-from kitemj.stability.modes import crossings, growth
 from thesis import free_and_steered_flights as free
 from thesis import limits_of_steering_flights as limits
 from thesis import limits_of_steering_tables as tables

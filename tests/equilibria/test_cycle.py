@@ -8,18 +8,18 @@ import pytest
 
 from kitemj.dynamics.formulation import MODELS
 from kitemj.dynamics.lagrange_kite import LagrangeKite
+from kitemj.equilibria.cycle import Cycle, cycle
+from kitemj.equilibria.linearise import state_units
+from kitemj.equilibria.minimal import Minimal, held, state_of, steps_for
+from kitemj.equilibria.modes import crossings, stability
+from kitemj.equilibria.orbit import range_of
+from kitemj.equilibria.shooting import monodromy
+from kitemj.equilibria.tables import matrices
+from kitemj.equilibria.vary import with_value
 from kitemj.errors import InputError
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Segment, rest_ell
-from kitemj.stability.cycle import Cycle, cycle
-from kitemj.stability.linearise import state_units
-from kitemj.stability.minimal import Minimal, held, state_of, steps_for
-from kitemj.stability.modes import crossings, stability
-from kitemj.stability.orbit import range_of
-from kitemj.stability.shooting import monodromy
-from kitemj.stability.tables import cycle_table, matrices, mode_table, multiplier_table
-from kitemj.stability.vary import with_value
 
 SETS = {
     name: with_value(parameter_set(name), "aero.Cl_beta", -0.49) for name in ("laksa", "thesis")
@@ -156,22 +156,22 @@ def test_extremes_are_those_between_the_samples() -> None:
 
 def test_tables_hold_the_numbers_in_named_units(case: tuple[Parameters, Cycle]) -> None:
     parameters, found = case
-    rows = {row["quantity"]: row for row in cycle_table(found).records()}
+    rows = {row["quantity"]: row for row in found.tables()[0].records()}
     assert rows["phi"]["unit"] == "deg"
     assert rows["phi"]["swing"] == pytest.approx(np.degrees(found.orbit.phi.swing))
     assert rows["tension_plus"]["high"] == found.orbit.tension_plus.high
-    assert len(multiplier_table(found).rows) == 8
+    assert len(found.tables()[1].rows) == 8
     unstable = stability(parameters)
-    assert mode_table(unstable).rows[0][2] == unstable.modes[0].real > 0
+    assert unstable.tables()[0].rows[0][2] == unstable.modes[0].real > 0
     assert matrices(unstable.linear)["B"] == unstable.linear.B.tolist()
 
 
 def test_figures_are_drawn_and_saved(case: tuple[Parameters, Cycle], tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
+    from kitemj.equilibria import plots
+    from kitemj.equilibria.maps import stability_map
+    from kitemj.equilibria.trim import equilibria
     from kitemj.plots.figure_files import save_figures
-    from kitemj.stability import plots
-    from kitemj.stability.maps import stability_map
-    from kitemj.stability.trim import equilibria
 
     parameters, found = case
     area = stability_map(parameters, ("aero.Cl_beta", -0.6, 0.2), ("wind.speed", 2.0, 9.0), 8)

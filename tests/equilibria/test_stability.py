@@ -8,11 +8,7 @@ import pytest
 from scipy.linalg import expm
 
 from kitemj.dynamics.formulation import MODELS
-from kitemj.errors import InputError
-from kitemj.physics.parameter_files import parameter_set
-from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import Control, rest_ell
-from kitemj.stability.linearise import (
+from kitemj.equilibria.linearise import (
     INPUTS,
     OUTPUTS,
     STATES,
@@ -22,11 +18,15 @@ from kitemj.stability.linearise import (
     outputs,
     state_units,
 )
-from kitemj.stability.maps import stability_map
-from kitemj.stability.minimal import Minimal, held
-from kitemj.stability.modes import MOTIONS, Crossing, crossings, growth, stability
-from kitemj.stability.trim import trimmed
-from kitemj.stability.vary import parameter_names, value_of, with_value
+from kitemj.equilibria.maps import stability_map
+from kitemj.equilibria.minimal import Minimal, held
+from kitemj.equilibria.modes import MOTIONS, Crossing, crossings, growth, stability
+from kitemj.equilibria.trim import trimmed
+from kitemj.equilibria.vary import parameter_names, value_of, with_value
+from kitemj.errors import InputError
+from kitemj.physics.parameter_files import parameter_set
+from kitemj.physics.parameters import Parameters
+from kitemj.physics.steering import Control, rest_ell
 
 LAKSA, THESIS = parameter_set("laksa"), parameter_set("thesis")
 SAME = {"newton-euler": 1e-6, "mujoco": 1e-4}

@@ -14,14 +14,15 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from kitemj.dynamics.lagrange import body
+from kitemj.equilibria.linearise import Linear, linearise, state_matrix
+from kitemj.equilibria.minimal import Minimal, held, state_of
+from kitemj.equilibria.trim import trimmed
+from kitemj.equilibria.vary import check_range, unit_of, with_value
 from kitemj.errors import InputError
 from kitemj.physics.frames import R_1E, Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell
-from kitemj.stability.linearise import Linear, linearise, state_matrix
-from kitemj.stability.minimal import Minimal, held, state_of
-from kitemj.stability.trim import trimmed
-from kitemj.stability.vary import check_range, unit_of, with_value
+from kitemj.tables import Table, Tabled
 
 Array = NDArray[np.float64]
 
@@ -52,7 +53,7 @@ class Mode(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Stability:
+class Stability(Tabled):
     """The linear system, its modes (least stable first), and the V_ref [m/s] it holds for."""
 
     linear: Linear
@@ -63,6 +64,22 @@ class Stability:
     def stable(self) -> bool:
         """Whether every disturbance dies out."""
         return self.modes[0].real < 0
+
+    def tables(self) -> list[Table]:
+        """A row for each mode, least stable first."""
+        columns = (
+            "model",
+            "mode",
+            "real_per_s",
+            "imag_rad_per_s",
+            "frequency_Hz",
+            "damping",
+            "time_constant_s",
+            "error_per_s",
+            *(f"share_{motion}" for motion in MOTIONS),
+        )
+        model = self.linear.model
+        return [Table("modes", columns, [(model, m.name, *m[:6], *m.shares) for m in self.modes])]
 
 
 class Crossing(NamedTuple):

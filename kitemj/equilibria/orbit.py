@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from kitemj.dynamics.motion import Motion
+from kitemj.equilibria.minimal import Array, Minimal
 from kitemj.physics.steering import Control
-from kitemj.stability.minimal import Array, Minimal
 
 SAMPLES = 480
 """Of one period; extremes are those of parabolas through three neighbours."""

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import air_of
+from kitemj.equilibria.minimal import Minimal
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, line_motion
-from kitemj.stability.minimal import Minimal
 
 Array = NDArray[np.float64]
 

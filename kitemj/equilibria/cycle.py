@@ -7,24 +7,25 @@ period T, are corrected by Newton's method until the flow of the asked model clo
 eigenvalues; one of them is 1 (along the orbit), and how close it comes to that tells the
 accuracy of the others. A cycle that repels is not found this way.
 
-`aero.V_ref` stays what the set says, whatever the wind (see `kitemj.stability.modes`).
+`aero.V_ref` stays what the set says, whatever the wind (see `kitemj.equilibria.modes`).
 """
 
 from dataclasses import dataclass
-from math import cos
+from math import cos, degrees
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kitemj.equilibria.linearise import state_matrix, state_units
+from kitemj.equilibria.minimal import Array, Minimal, held, steps_for
+from kitemj.equilibria.orbit import SAMPLES, Orbit, orbit
+from kitemj.equilibria.shooting import MOST_ROUNDS, STANDS, Closed, closed, monodromy, primitive
+from kitemj.equilibria.trim import trimmed
 from kitemj.errors import InputError
 from kitemj.flight.limits import Departure, first_departure
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, rest_ell
-from kitemj.stability.linearise import state_matrix, state_units
-from kitemj.stability.minimal import Array, Minimal, held, steps_for
-from kitemj.stability.orbit import SAMPLES, Orbit, orbit
-from kitemj.stability.shooting import MOST_ROUNDS, STANDS, Closed, closed, monodromy, primitive
-from kitemj.stability.trim import trimmed
+from kitemj.tables import Cell, Table, Tabled
 
 NUDGE = 0.2
 """rad; how far beside the equilibrium, in its growing mode, the settling flight begins."""
@@ -36,9 +37,21 @@ RETURNS = (1e-2, 1e-3, 1e-4, 1e-6)
 """Change from one return to the next, of the distance to the equilibrium, from which
 Newton's method is tried."""
 
+UNITS = {
+    "x_E": "m",
+    "y_E": "m",
+    "height": "m",
+    "airspeed": "m/s",
+    "speed": "m/s",
+    "tension_plus": "N",
+    "tension_minus": "N",
+    "tension_both": "N",
+}
+"""Of the quantities of an orbit; the others are angles, told in degrees."""
+
 
 @dataclass(frozen=True)
-class Cycle:
+class Cycle(Tabled):
     """A periodic flight with the lines held.
 
     `period` [s], `frequency` [Hz]; `x0` (8,) [rad, rad/s]: a state on it; `multipliers` (8,),
@@ -66,6 +79,25 @@ class Cycle:
     def stable(self) -> bool:
         """Whether the kite comes back to it after any small disturbance."""
         return bool(np.abs(self.multipliers[:-1]).max() < 1)
+
+    def tables(self) -> list[Table]:
+        """Least, largest and half of what lies between; the Floquet multipliers, largest first.
+
+        The last of these would be 1 without rounding.
+        """
+        rows = list[tuple[Cell, ...]]()
+        for name in Orbit._fields[1:]:
+            span, unit = getattr(self.orbit, name), UNITS.get(name, "deg")
+            low, high = map(degrees, span) if unit == "deg" else span
+            rows.append((self.model, name, unit, low, high, 0.5 * (high - low)))
+        columns = ("model", "quantity", "unit", "low", "high", "swing")
+        sizes: list[tuple[Cell, ...]] = [
+            (self.model, float(m.real), float(m.imag), float(abs(m))) for m in self.multipliers
+        ]
+        return [
+            Table(f"cycle of {self.period:.6g} s", columns, rows),
+            Table("Floquet multipliers", ("model", "real", "imag", "size"), sizes),
+        ]
 
 
 def cycle(

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from kitemj.equilibria.modes import growth
+from kitemj.equilibria.vary import check_range, unit_of, with_value
 from kitemj.errors import InputError
 from kitemj.physics.parameters import Parameters
-from kitemj.stability.modes import growth
-from kitemj.stability.vary import check_range, unit_of, with_value
 
 Array = NDArray[np.float64]
 

@@ -4,10 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange import body
+from kitemj.equilibria.minimal import Array, state_of
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
-from kitemj.stability.minimal import Array, state_of
 
 
 def mass_matrix(parameters: Parameters, x: Array, control: Control) -> Array:

@@ -3,7 +3,7 @@
 No guess is asked for. With equal lines the symmetric equilibria come from one scalar
 equation (`kitemj.flight.equilibrium`), which finds every one, those with δ ≠ 0 by leading
 these there, and those to the side of either by following a curve through them
-(`kitemj.stability.equilibrium_search`). The model then solves q̈(q, 0) = 0 itself.
+(`kitemj.equilibria.equilibrium_search`). The model then solves q̈(q, 0) = 0 itself.
 """
 
 from math import atan2, degrees, hypot, isfinite
@@ -14,15 +14,15 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange_kite import motion_at
 from kitemj.dynamics.motion import State, air_of
+from kitemj.equilibria.equilibrium_search import beside
+from kitemj.equilibria.minimal import Minimal, held, state_of
+from kitemj.equilibria.scaled import residual
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import check_steady, no_equilibrium, symmetric_equilibria
 from kitemj.flight.limits import GROUND, VALIDITY, departure_at
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Programme, Segment, Sines, control, rest_ell
-from kitemj.stability.equilibrium_search import beside
-from kitemj.stability.minimal import Minimal, held, state_of
-from kitemj.stability.scaled import residual
 
 SAME = 1e-6
 """rad; two equilibria closer than this are one."""
@@ -39,7 +39,7 @@ class Trim(NamedTuple):
 
     `q`, `alpha`, `beta` [rad]; `elevation`, `azimuth` [rad] of G seen from O_E, the azimuth
     positive to the pilot's left; `height` of G [m]; `tensions` [N]; `residual`: what is left
-    over of the scaled equations (`kitemj.stability.scaled`); `ell` [m], `delta` [rad] as held.
+    over of the scaled equations (`kitemj.equilibria.scaled`); `ell` [m], `delta` [rad] as held.
     """
 
     model: str

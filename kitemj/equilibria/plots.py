@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kitemj.dynamics.motion import Motion
+from kitemj.equilibria.cycle import Cycle
+from kitemj.equilibria.maps import Axis, StabilityMap
+from kitemj.equilibria.modes import Stability
+from kitemj.equilibria.tables import v_ref_note
+from kitemj.equilibria.trim import Trim
 from kitemj.errors import InputError
-from kitemj.stability.cycle import Cycle
-from kitemj.stability.maps import Axis, StabilityMap
-from kitemj.stability.modes import Stability
-from kitemj.stability.tables import v_ref_note
-from kitemj.stability.trim import Trim
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

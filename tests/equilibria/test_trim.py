@@ -7,6 +7,9 @@ import pytest
 from numpy.typing import NDArray
 
 from kitemj.dynamics.formulation import MODELS
+from kitemj.equilibria.minimal import Minimal, held
+from kitemj.equilibria.trim import RESIDUAL, Trim, equilibria, lines_held, trimmed
+from kitemj.equilibria.vary import with_value
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.physics.aerodynamics import LinearAero, Powers, Row, TableAero
@@ -15,9 +18,6 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines
 from kitemj.physics.wind import wind_speed
-from kitemj.stability.minimal import Minimal, held
-from kitemj.stability.trim import RESIDUAL, Trim, equilibria, lines_held, trimmed
-from kitemj.stability.vary import with_value
 
 SETS = {name: parameter_set(name) for name in ("laksa", "thesis")}
 LAKSA = SETS["laksa"]

@@ -1,13 +1,12 @@
 """Results of trim and stability as tables: for people, CSV, Parquet and JSON alike."""
 
+from collections.abc import Sequence
 from math import degrees
 
-from kitemj.stability.cycle import Cycle
-from kitemj.stability.linearise import INPUTS, OUTPUTS, STATES, Linear
-from kitemj.stability.maps import StabilityMap
-from kitemj.stability.modes import MOTIONS, Crossing, Stability
-from kitemj.stability.orbit import Orbit
-from kitemj.stability.trim import Trim
+from kitemj.equilibria.linearise import INPUTS, OUTPUTS, STATES, Linear
+from kitemj.equilibria.maps import StabilityMap
+from kitemj.equilibria.modes import Crossing
+from kitemj.equilibria.trim import Trim
 from kitemj.tables import Cell, Table
 
 
@@ -21,7 +20,7 @@ def v_ref_note(V_ref: float | None) -> str:
     )
 
 
-def trim_table(trims: list[Trim]) -> Table:
+def trim_table(trims: Sequence[Trim]) -> Table:
     """A row for each equilibrium and model."""
     columns = (
         "model",
@@ -59,36 +58,6 @@ def trim_table(trims: list[Trim]) -> Table:
     return Table("equilibria", columns, rows)
 
 
-def mode_table(found: Stability) -> Table:
-    """A row for each mode, least stable first."""
-    columns = (
-        "model",
-        "mode",
-        "real_per_s",
-        "imag_rad_per_s",
-        "frequency_Hz",
-        "damping",
-        "time_constant_s",
-        "error_per_s",
-        *(f"share_{motion}" for motion in MOTIONS),
-    )
-    rows: list[tuple[Cell, ...]] = [
-        (
-            found.linear.model,
-            mode.name,
-            mode.real,
-            mode.imag,
-            mode.frequency,
-            mode.damping,
-            mode.time_constant,
-            mode.error,
-            *mode.shares,
-        )
-        for mode in found.modes
-    ]
-    return Table("modes", columns, rows)
-
-
 def crossing_table(found: list[Crossing]) -> Table:
     """A row for each change of stability."""
     columns = ("model", "parameter", "value", "unit", "omega_rad_per_s", "frequency_Hz", "mode")
@@ -114,25 +83,6 @@ def map_table(found: StabilityMap) -> Table:
     return Table("stability map", columns, list(found.rows()))
 
 
-def cycle_table(found: Cycle) -> Table:
-    """A row for each quantity of the cycle: least, largest, and half of what lies between."""
-    orbit, rows = found.orbit, list[tuple[Cell, ...]]()
-    for name in Orbit._fields[1:]:
-        span, unit = getattr(orbit, name), _UNITS.get(name, "deg")
-        low, high = map(degrees, span) if unit == "deg" else span
-        rows.append((found.model, name, unit, low, high, 0.5 * (high - low)))
-    title = f"cycle of {found.period:.6g} s"
-    return Table(title, ("model", "quantity", "unit", "low", "high", "swing"), rows)
-
-
-def multiplier_table(found: Cycle) -> Table:
-    """The Floquet multipliers, largest first; the last one would be 1 without rounding."""
-    rows: list[tuple[Cell, ...]] = [
-        (found.model, float(m.real), float(m.imag), float(abs(m))) for m in found.multipliers
-    ]
-    return Table("Floquet multipliers", ("model", "real", "imag", "size"), rows)
-
-
 def matrices(linear: Linear) -> dict[str, object]:
     """A, B, C, D, their uncertainties and the names of rows and columns, as JSON has them."""
     names = ("A", "B", "C", "D", "A_error", "B_error", "C_error", "D_error", "x0", "y0")
@@ -144,15 +94,3 @@ def matrices(linear: Linear) -> dict[str, object]:
         "u0": list(linear.control),
         **{name: getattr(linear, name).tolist() for name in names},
     }
-
-
-_UNITS = {
-    "x_E": "m",
-    "y_E": "m",
-    "height": "m",
-    "airspeed": "m/s",
-    "speed": "m/s",
-    "tension_plus": "N",
-    "tension_minus": "N",
-    "tension_both": "N",
-}

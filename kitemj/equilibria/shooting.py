@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kitemj.equilibria.minimal import Array, Minimal, steps_for
 from kitemj.physics.steering import Control
-from kitemj.stability.minimal import Array, Minimal, steps_for
 
 MOST_ROUNDS = 4
 """After which a flight on the cycle may come back to where it was."""

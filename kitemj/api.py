@@ -1,0 +1,190 @@
+"""The verbs of the front door: each takes a file's name, tables or a thing itself, and flies.
+
+A scenario is given as the path of its file, as a dictionary of its tables, or as a `Scenario`;
+a study likewise. Nothing is written unless a path is given for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING, Any
+
+from kitemj.dynamics.formulation import DEFAULT_STEP, MODELS
+from kitemj.errors import InputError
+from kitemj.flight.scenario import Scenario, as_scenario
+from kitemj.tables import Results
+
+if TYPE_CHECKING:
+    from kitemj.equilibria.cycle import Cycle
+    from kitemj.equilibria.modes import Stability
+    from kitemj.equilibria.trim import Trim
+    from kitemj.flight.compare import Comparison
+    from kitemj.pilots.manoeuvres import Pilot
+    from kitemj.plots.flight import Flight
+    from kitemj.recording.file import Recording
+    from kitemj.recording.replay import Replay
+    from kitemj.studies.result import StudyResult
+    from kitemj.studies.study import Study
+
+Given = Scenario | str | Path | Mapping[str, Any]
+"""What a scenario can be given as."""
+
+
+def simulate(
+    scenario: Given,
+    model: str = "mujoco",
+    *,
+    step: float = DEFAULT_STEP,
+    pilot: Pilot | Callable[[], Pilot] | str | None = None,
+) -> Flight:
+    """The flight of `scenario`, with a row at each of its output times.
+
+    `model` flies it; `step` [s] is the longest step of models with fixed steps; `pilot` has the
+    stick in place of the scenario's programme: an object with `command(motion)`, what makes
+    one, a name such as "eight", or FILE.py:NAME. Raises InputError.
+    """
+    from kitemj.flight.simulate import simulate
+    from kitemj.pilots.piloted import simulate_pilot
+    from kitemj.pilots.registry import as_pilot
+    from kitemj.plots.flight import flight_of_simulation
+
+    flown = as_scenario(scenario)
+    if pilot is None:
+        return flight_of_simulation(simulate(flown, model, step))
+    return flight_of_simulation(simulate_pilot(flown, as_pilot(pilot), model, step))
+
+
+def compare(
+    scenario: Given, models: Sequence[str] = tuple(MODELS.shipped), *, step: float = DEFAULT_STEP
+) -> Results[Comparison]:
+    """How far each of `models` gets from the last of them, flying `scenario`; `step` [s].
+
+    Each `agrees` if it keeps within the tolerances. Raises InputError.
+    """
+    from kitemj.flight.compare import compare_models
+    from kitemj.flight.compare_table import comparison_table
+
+    if len(models) < 2:
+        raise InputError(f"models needs two or more, got {', '.join(models) or 'none'}")
+    return Results(compare_models(as_scenario(scenario), models, step), comparison_table)
+
+
+def trim(scenario: Given, model: str = "lagrange") -> Results[Trim]:
+    """Every equilibrium of the scenario's kite in its steady wind, by ascending α, lines held.
+
+    Raises InputError where there is none.
+    """
+    from kitemj.equilibria.tables import trim_table
+    from kitemj.equilibria.trim import equilibria
+
+    return Results(equilibria(*_held(scenario), model, as_scenario(scenario).source), trim_table)
+
+
+def stability(scenario: Given, model: str = "lagrange") -> Stability:
+    """The linear system and modes about the equilibrium of least α, lines held.
+
+    Raises InputError where there is no equilibrium.
+    """
+    from kitemj.equilibria.modes import stability
+
+    return stability(*_held(scenario), model, as_scenario(scenario).source)
+
+
+def cycle(scenario: Given, model: str = "lagrange") -> Cycle:
+    """The cycle that the kite flies by itself beside an unstable equilibrium, lines held.
+
+    Raises InputError where there is none.
+    """
+    from kitemj.equilibria.cycle import cycle
+
+    return cycle(*_held(scenario), model, as_scenario(scenario).source)
+
+
+def replay(recording: Recording | str | Path, model: str, step: float | None = None) -> Replay:
+    """The input of a recording flown again by `model`, in steps of `step` [s] or the recorded.
+
+    Raises InputError.
+    """
+    from kitemj.recording.file import Recording, read_recording
+    from kitemj.recording.replay import replay
+
+    known = recording if isinstance(recording, Recording) else read_recording(recording)
+    return replay(known, model, step)
+
+
+def sweep(
+    study: Study | str | Path | Mapping[str, Any], *, processes: int | None = None
+) -> StudyResult:
+    """The flights of `study`, a row for each; a study of seconds is flown in this process.
+
+    A longer one is flown by `processes` (None: one for each core), which begin by reading the
+    script that called: there, keep the call below ``if __name__ == "__main__":``. Raises
+    InputError, and StudyStopped where workers cannot work.
+    """
+    from pyarrow import parquet
+
+    from kitemj.progress_bar import progress_bar
+    from kitemj.studies.executors import executor_for
+    from kitemj.studies.journal import Journal
+    from kitemj.studies.result import StudyResult
+    from kitemj.studies.study import as_study
+    from kitemj.studies.sweep import check, sweep, tried
+
+    known = as_study(study)
+    check(known)
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "study.parquet"
+        with Journal(path, known) as journal:
+            cost = tried(journal)
+            flights = len(journal.done)
+            with (
+                executor_for(cost * (flights - journal.count), processes) as executor,
+                progress_bar("flights", flights, journal.count) as tell,
+            ):
+                sweep(journal, executor, cost, tell)
+            journal.write_table(path, overwrite=False)
+        return StudyResult(known.base.source, parquet.read_table(path))
+
+
+def film(
+    source: Flight | Recording | Given,
+    path: str | Path,
+    *,
+    model: str | None = None,
+    view: str = "chase",
+    size: tuple[int, int] = (1280, 720),
+    rate: int = 30,
+    speed: float = 1.0,
+    instruments: bool = True,
+    overwrite: bool = False,
+) -> Path:
+    """Films a flight, a recording or a scenario, and returns the film's path.
+
+    `path`: the film, .mp4 or .gif
+    `model`: flies a scenario (mujoco), or the input of a recording again, beside it
+    `view`: chase, pilot, side, top or orbit
+    `size`: width and height [px]
+    `rate`: frames/s of the film
+    `speed`: of the flight on the film, 2: twice as fast as it was
+    `instruments`: whether they are shown
+    `overwrite`: whether a file that is there may be replaced
+
+    Raises InputError, and NoGraphics where nothing can draw.
+    """
+    from kitemj.cockpit.film_sources import film_source
+    from kitemj.cockpit.filming import FilmStyle, check_output, film
+
+    path, style = Path(path), FilmStyle(size, view, instruments, rate, speed)
+    check_output(path, style, still=False, overwrite=overwrite)
+    film([film_source(source, model, None, speed / rate)], path, style, overwrite=overwrite)
+    return path
+
+
+def _held(scenario: Given) -> tuple[Any, float | None, float]:
+    """The parameters of a scenario, ℓ [m] and δ [rad] that its lines are held at."""
+    from kitemj.equilibria.trim import lines_held
+
+    known = as_scenario(scenario)
+    return known.parameters, *lines_held(known.parameters, known.programme)

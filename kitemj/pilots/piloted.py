@@ -1,0 +1,38 @@
+"""A scenario with a pilot at the stick, flown as fast as the machine can."""
+
+from kitemj.dynamics.formulation import DEFAULT_STEP
+from kitemj.errors import FlightError
+from kitemj.flight.limits import Ending, first_departure, touches_ground
+from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.scenario import Scenario
+from kitemj.flight.simulate import Simulation, continuous
+from kitemj.pilots.manoeuvres import Pilot
+from kitemj.progress_bar import with_progress
+
+
+def simulate_pilot(
+    scenario: Scenario, pilot: Pilot, model: str = "mujoco", step: float = DEFAULT_STEP
+) -> Simulation:
+    """Flies `scenario`, tick by tick, until its end or the ground; its programme is left aside.
+
+    The motions are those at the scenario's output interval [s], rounded to ticks, and the
+    last. `step` [s] is the longest step of models with fixed steps.
+    """
+    flight, (duration, interval) = LiveFlight(scenario, model, step=step), scenario.times
+    result = flight.restart()
+    motions, ending, note = [result.motion], Ending.FINISHED, ""
+    ticks, every = max(1, round(duration / TICK)), max(1, round(interval / TICK))
+    try:
+        for tick in with_progress("flying", range(1, ticks + 1), ticks):
+            result = flight.tick(pilot.command(result.motion))
+            down = touches_ground(scenario.parameters, result.motion)
+            if down or tick % every == 0 or tick == ticks:
+                motions.append(result.motion)
+            if down:
+                ending = Ending.GROUND
+                break
+    except FlightError as error:
+        ending, note = Ending.DIVERGED, str(error)
+    motions = continuous(motions)
+    departure = first_departure(scenario.parameters, motions)
+    return Simulation(model, scenario, motions, ending, departure, note)
