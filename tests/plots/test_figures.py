@@ -23,7 +23,7 @@ STEERING = 1e-9
 """rad and m; δ comes back out of lengths of 25 m that differ by their last digits."""
 ONE_SCALE = 1e-9
 """Of the scale of each axis of the path."""
-DRAWN = {**FIGURES, "limits": limits_figure}
+DRAWN = {**{name: FIGURES[name] for name in FIGURES}, "limits": limits_figure}
 UNIT = re.compile(r"\[(s|m|N|deg|deg/s|-)\]$")
 SMALLEST = 8.0  # pt
 
