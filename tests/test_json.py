@@ -109,7 +109,7 @@ def test_info(printed, tmp_path):
     assert flight["alpha_max_deg"] == columns["alpha_deg"].max()
     pulls = np.stack([columns["tension_plus_N"], columns["tension_minus_N"]])
     assert (flight["tension_min_N"], flight["tension_max_N"]) == (pulls.min(), pulls.max())
-    assert found["parameters"]["kite"]["mass"] == recording.parameters.kite.mass
+    assert found["header"]["parameters"]["kite"]["mass"] == recording.parameters.kite.mass
 
 
 def test_a_number_that_json_lacks_is_null():

@@ -1,6 +1,7 @@
 """Comparisons and ladders as tables: in words for people, in numbers for machines."""
 
 from collections.abc import Mapping, Sequence
+from itertools import chain
 from math import isnan
 
 from kitemj.flight.compare import (
@@ -10,7 +11,7 @@ from kitemj.flight.compare import (
     Comparison,
 )
 from kitemj.flight.ladder import Rung
-from kitemj.tables import Table
+from kitemj.tables import Cell, Table
 
 HEADINGS = (
     "scenario",
@@ -55,60 +56,38 @@ TOLERANCES_TOLD = (
 
 def comparison_table(rows: Sequence[Comparison]) -> Table:
     """For people; without a title."""
-    return Table(
-        "",
-        HEADINGS,
-        [
-            (
-                row.scenario,
-                f"{row.model} / {row.reference}",
-                f"{row.until:.1f}",
-                f"{row.valid:.1f}",
-                f"{row.position.value * 1e6:.3g}",
-                f"{row.position.t:.1f}",
-                f"{row.attitude.value * 1e6:.3g}",
-                f"{row.attitude.t:.1f}",
-                f"{row.tension.value * 1e3:.3g}",
-                f"{row.tension.t:.1f}",
-                "yes" if row.agrees else "NO",
-            )
-            for row in rows
-        ],
-    )
+    return Table("", HEADINGS, [_cells(row) for row in rows])
+
+
+def _cells(row: Comparison) -> tuple[Cell, ...]:
+    gaps = ((row.position, 1e6), (row.attitude, 1e6), (row.tension, 1e3))
+    told = ((f"{gap.value * scale:.3g}", f"{gap.t:.1f}") for gap, scale in gaps)
+    models, times = f"{row.model} / {row.reference}", (f"{row.until:.1f}", f"{row.valid:.1f}")
+    return (row.scenario, models, *times, *chain(*told), "yes" if row.agrees else "NO")
 
 
 def comparison_numbers(rows: Sequence[Comparison]) -> Table:
     """For machines."""
-    return Table(
-        "comparisons",
-        COLUMNS,
-        [(*row[:5], *row.position, *row.attitude, *row.tension, row.agrees) for row in rows],
-    )
+    cells: list[tuple[Cell, ...]] = [
+        (*row[:5], *row.position, *row.attitude, *row.tension, row.agrees) for row in rows
+    ]
+    return Table("comparisons", COLUMNS, cells)
 
 
 def ladder_table(scenario: str, rungs: list[Rung]) -> Table:
     """For people; its title is the scenario's."""
-    return Table(
-        scenario,
-        RUNG_HEADINGS,
-        [
-            (
-                rung.name,
-                rung.model,
-                "-" if isnan(rung.measured) else f"{rung.measured:.2g}",
-                f"{'≥' if rung.at_least else '≤'} {rung.limit:g}",
-                rung.unit,
-                "yes" if rung.holds else "NO",
-            )
-            for rung in rungs
-        ],
-    )
+    return Table(scenario, RUNG_HEADINGS, [_rung_cells(rung) for rung in rungs])
+
+
+def _rung_cells(rung: Rung) -> tuple[Cell, ...]:
+    measured = "-" if isnan(rung.measured) else f"{rung.measured:.2g}"
+    limit = f"{'≥' if rung.at_least else '≤'} {rung.limit:g}"
+    return (rung.name, rung.model, measured, limit, rung.unit, "yes" if rung.holds else "NO")
 
 
 def ladder_numbers(ladders: Mapping[str, list[Rung]]) -> Table:
     """For machines: the rungs of all scenarios, by their names."""
-    return Table(
-        "rungs",
-        RUNG_COLUMNS,
-        [(name, *rung, rung.holds) for name, rungs in ladders.items() for rung in rungs],
-    )
+    cells: list[tuple[Cell, ...]] = [
+        (name, *rung, rung.holds) for name, rungs in ladders.items() for rung in rungs
+    ]
+    return Table("rungs", RUNG_COLUMNS, cells)

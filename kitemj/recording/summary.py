@@ -18,21 +18,13 @@ BROKEN_OFF = "unknown: the file breaks off (the program was stopped, or the disk
 
 
 def facts(recording: Recording) -> dict[str, Any]:
-    """What a recording holds, for machines; units in the names, None for what is not known."""
+    """What a recording holds, for machines: its header, and what was counted and measured."""
     header = recording.header
     late = recording.columns["lateness_s"][recording.columns["tick"] > 0]
     return {
         "recording": str(recording.path),
         "size_MB": recording.path.stat().st_size / 1e6,
-        "written": header.written,
-        "scenario": header.scenario,
-        "model": header.model,
-        "reference": header.reference or None,
-        "step_s": header.step,
-        "tick_s": header.tick,
-        "parameters": header.parameters,
-        "seeds": header.seeds,
-        "versions": header.versions,
+        "header": vars(header),
         "rows": len(recording),
         "flights": [_flight(recording, episode) for episode in recording.episodes],
         "ticks": len(late),
@@ -47,13 +39,13 @@ def _flight(recording: Recording, episode: slice) -> dict[str, Any]:
     """How long, how far from the reference, how close to each limit, where it left them."""
     columns = {name: values[episode] for name, values in recording.columns.items()}
     pulls = np.stack([columns["tension_plus_N"], columns["tension_minus_N"]]) + 0.0
-    gaps = columns["gap_m"][np.isfinite(columns["gap_m"])]
-    followed = columns["t_s"][np.isfinite(columns["gap_m"])]
+    followed = np.isfinite(columns["gap_m"])
+    gaps, times = columns["gap_m"][followed], columns["t_s"][followed]
     left = recording.departure(episode)
     return {
         "duration_s": float(columns["t_s"][-1]),
         "gap_m": float(gaps.max()) if len(gaps) else None,
-        "followed_until_s": float(followed[-1]) if len(gaps) else None,
+        "followed_until_s": float(times[-1]) if len(gaps) else None,
         "alpha_min_deg": float(columns["alpha_deg"].min()),
         "alpha_max_deg": float(columns["alpha_deg"].max()),
         "beta_min_deg": float(columns["beta_deg"].min()),
