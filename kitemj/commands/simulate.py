@@ -31,6 +31,7 @@ def run(args: argparse.Namespace) -> int:
     from kitemj.flight.motion_table import write_csv
     from kitemj.flight.scenario import read_scenario
     from kitemj.flight.simulate import simulate
+    from kitemj.physics.rig import rig_of
     from kitemj.pilots.piloted import simulate_pilot
     from kitemj.pilots.registry import as_pilot
 
@@ -40,7 +41,8 @@ def run(args: argparse.Namespace) -> int:
         flight = simulate_pilot(scenario, as_pilot(args.pilot), args.model, args.step)
     else:
         flight = simulate(scenario, args.model, args.step)
-    write_csv(args.output, flight.motions, args.overwrite)
+    rig = rig_of(scenario.parameters)
+    write_csv(args.output, flight.motions, args.overwrite, rig)
     print(f"{args.output}: {len(flight.motions)} rows, {flight.model}; {flight.ending.value}")
     if flight.departure:
         print(left_limits(flight.departure))

@@ -23,11 +23,13 @@ def columns_of(rig: Rig) -> tuple[str, ...]:
 COLUMNS = columns_of(TWO_LINES)
 
 
-def write_csv(path: Path, motions: list[Motion], overwrite: bool = False) -> None:
-    """A row for each motion, in the columns and units of `COLUMNS`, all digits kept."""
+def write_csv(
+    path: Path, motions: list[Motion], overwrite: bool = False, rig: Rig = TWO_LINES
+) -> None:
+    """A row for each motion, in the columns of `rig`, all digits kept."""
     with new_file(path, overwrite) as part, part.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(COLUMNS)
+        writer.writerow(columns_of(rig))
         writer.writerows(row(motion) for motion in motions)
 
 

@@ -13,6 +13,7 @@ from kitemj.physics.aerodynamics import aero_law
 from kitemj.physics.checked import checked, in_radians, unknown_key
 from kitemj.physics.kite import Kite, Lines
 from kitemj.physics.parameters import Environment, Limits, Parameters, StickLimits
+from kitemj.physics.rig import RIGS
 from kitemj.physics.wind import Wind, wind_law
 from kitemj.registry import Registry
 
@@ -28,10 +29,20 @@ AERO_LAWS: Registry[type[Any]] = Registry(
     },
 )
 WINDS: Registry[type[Any]] = Registry("wind", "kitemj.winds", {"power": "kitemj.physics.wind:Wind"})
-LAWS = {"aero": AERO_LAWS, "wind": WINDS}
-"""Sections whose `law` says which type of numbers they hold; the first is meant where none is."""
-FORMULAS = {"aero": aero_law, "wind": wind_law}
-NEEDED = {"aero": (), "wind": ("speed", "azimuth")}
+LINES: Registry[type[Any]] = Registry(
+    "kind of lines", "kitemj.lines", {"straight": "kitemj.physics.kite:Lines"}
+)
+LAWS = {"aero": AERO_LAWS, "wind": WINDS, "lines": LINES}
+"""Sections that hold one of several types of numbers; the first is meant where none is named."""
+NAMED_BY = {"aero": "law", "wind": "law", "lines": "kind"}
+"""Under which key the type is named."""
+KNOWN: dict[str, Mapping[type, Any]] = {
+    "aero": aero_law.formulas,
+    "wind": wind_law.formulas,
+    "lines": RIGS,
+}
+"""What each type must be known to: the formulas of its law, the rigs."""
+NEEDED = {"aero": (), "wind": ("speed", "azimuth"), "lines": ("length", "rigid")}
 """Fields that each type of the section must have."""
 SECTIONS = {
     "kite": Kite,
@@ -96,9 +107,9 @@ def parameter_tables(parameters: Parameters) -> dict[str, dict[str, Any]]:
     tables = {}
     for section, part in parameters._asdict().items():
         tables[section] = _table_of(part)
-        if section in LAWS and not isinstance(part, Wind):  # files of old do not name that one
-            law = LAWS[section].name_of(type(part))
-            tables[section] = {"law": law, **tables[section]}
+        if section in LAWS and not isinstance(part, Wind | Lines):  # files of old name neither
+            name = LAWS[section].name_of(type(part))
+            tables[section] = {NAMED_BY[section]: name, **tables[section]}
     return tables
 
 
@@ -124,12 +135,13 @@ def _part(section: str, base: Mapping[str, Any], changes: Any, source: str) -> A
     changes = in_radians(changes, section, source)
     if section not in LAWS:
         return checked(SECTIONS[section], {**base, **changes}, section, source)
-    usual = base.get("law", next(iter(LAWS[section].shipped)))
-    law = changes.get("law", usual)
+    key = NAMED_BY[section]
+    usual = base.get(key, next(iter(LAWS[section].shipped)))
+    law = changes.get(key, usual)
     kind = _kind(section, law, source)
     if law != usual:
         base = _shared(base, LAWS[section][usual], kind)
-    numbers = {name: value for name, value in _over(base, changes).items() if name != "law"}
+    numbers = {name: value for name, value in _over(base, changes).items() if name != key}
     return checked(kind, numbers, section, source)
 
 
@@ -138,13 +150,13 @@ def _kind(section: str, law: Any, source: str) -> type[Any]:
     registry = LAWS[section]
     if not isinstance(law, str) or law not in registry:
         raise InputError(
-            f"{section}.law must be one of {', '.join(registry)}, got {law!r} "
+            f"{section}.{NAMED_BY[section]} must be one of {', '.join(registry)}, got {law!r} "
             f"({source}, [{section}])"
         )
     kind = registry[law]
     lacks = [name for name in NEEDED[section] if name not in getattr(kind, "_fields", ())]
-    if lacks or kind not in FORMULAS[section].formulas:
-        what = f"no field {lacks[0]}" if lacks else "no formula"
+    if lacks or kind not in KNOWN[section]:
+        what = f"no field {lacks[0]}" if lacks else "no formula" if section != "lines" else "no rig"
         raise InputError(f"the {registry.kind} {law!r} has {what}: see its module's manual")
     return kind
 
@@ -154,7 +166,7 @@ def _shared(base: Mapping[str, Any], usual: type[Any], kind: type[Any]) -> dict[
 
     By their names, or all of them as a field of the type `usual`.
     """
-    numbers = {name: value for name, value in base.items() if name != "law"}
+    numbers = {name: value for name, value in base.items() if name not in NAMED_BY.values()}
     hints = get_type_hints(kind).items()
     return {
         name: numbers if hint is usual else numbers[name]

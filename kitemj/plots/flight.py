@@ -23,9 +23,10 @@ from kitemj.flight.motion_table import COLUMNS
 from kitemj.flight.simulate import Simulation
 from kitemj.physics.checked import unknown_key
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.rig import rig_of
 from kitemj.plots.figures import FIGURES
 from kitemj.recording.file import Recording
-from kitemj.recording.table import MOTION, Columns, limit_numbers, motion_row
+from kitemj.recording.table import Columns, limit_numbers, motion_columns, motion_row
 from kitemj.tables import Cell, Table, Tabled, unit_of_column
 
 if TYPE_CHECKING:
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-AIR_AND_LINES = ("alpha_deg", "beta_deg", "tension_plus_N", "tension_minus_N")
-"""What the limits of validity are about."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -123,16 +122,22 @@ class Flight(Tabled):
         return np.column_stack([self.column(name, purpose) for name in names])
 
     @property
+    def _limited(self) -> list[str]:
+        """Columns that the limits of validity are about."""
+        lines = rig_of(self.parameters).lines
+        return ["alpha_deg", "beta_deg", *(f"tension_{name}_N" for name in lines)]
+
+    @property
     def numbers(self) -> Numbers:
         """What limits are about; InputError where a column lacks."""
         return limit_numbers(
-            {**self.columns, **{name: self.column(name, "the limits") for name in AIR_AND_LINES}}
+            {**self.columns, **{name: self.column(name, "the limits") for name in self._limited}}
         )
 
     @property
     def any_beyond(self) -> NDArray[np.bool_]:
         """Which rows are beyond any limit, shape (rows,); none where columns lack to tell."""
-        if not set(AIR_AND_LINES) <= set(self.columns):
+        if not set(self._limited) <= set(self.columns):
             return np.zeros(len(self.t), np.bool_)
         limits, now = self.parameters.limits, self.numbers
         return np.asarray(~np.logical_and.reduce([limit.kept(limits, now) for limit in RECORDED]))
@@ -160,8 +165,9 @@ class Flight(Tabled):
 
 def flight_of_motions(name: str, parameters: Parameters, motions: Sequence[Motion]) -> Flight:
     """A flight given as motions of any model."""
-    numbers = np.array([motion_row(motion) for motion in motions]).reshape(-1, len(MOTION))
-    columns: dict[str, NDArray[Any]] = dict(zip(MOTION, numbers.T.copy(), strict=True))
+    names = motion_columns(rig_of(parameters))
+    numbers = np.array([motion_row(motion) for motion in motions]).reshape(-1, len(names))
+    columns: dict[str, NDArray[Any]] = dict(zip(names, numbers.T.copy(), strict=True))
     columns["ground"] = np.array([touches_ground(parameters, motion) for motion in motions])
     return Flight(name, parameters, columns)
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import degrees
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from kitemj.errors import InputError
+from kitemj.physics.rig import rig_of
 from kitemj.physics.steering import rest_ell
 from kitemj.plots.flight import Array, Flight
 from kitemj.plots.rates import q_dot
@@ -30,7 +32,6 @@ if TYPE_CHECKING:
 STATE = ("phi_rad", "gamma_rad", "eta_rad", "theta_rad")
 SYMBOLS = (r"\varphi", r"\gamma", r"\eta", r"\theta")
 LENGTHS = ("length_plus_m", "length_minus_m")
-TENSIONS = ("tension_plus_N", "tension_minus_N")
 ASKED = LineStyle("asked for by the stick", "#A05A00", (0, (1.2, 1.2)), 1.8)
 FLOWN = LineStyle("flown")
 TALL = 7.5  # inches, of four diagrams
@@ -57,12 +58,13 @@ def rates_figure(flight: Flight) -> Figure:
 
 
 def tensions_figure(flight: Flight) -> Figure:
-    """The figure of both tensions [N] between slack and the largest allowed, and closer."""
-    pulls = flight.matrix(TENSIONS, "the tensions").T
+    """The figure of the tensions [N] between slack and the largest allowed, and closer."""
+    names = rig_of(flight.parameters).lines
+    pulls = flight.matrix([f"tension_{name}_N" for name in names], "the tensions").T
     ceiling = flight.parameters.limits.tension_max
     figure, axes = time_sheet(flight, f"Line tensions: {flight.name}", 2, 6.0)
     for ax in axes:
-        for pull, style in zip(pulls, (PLUS, MINUS), strict=True):
+        for pull, style in zip(pulls, _line_styles(names), strict=True):
             curve(ax, flight, pull, style)
         name_axis(ax, "tension", "N")
     legend(axes[0])
@@ -88,8 +90,9 @@ def angles_figure(flight: Flight) -> Figure:
 
 
 def steering_figure(flight: Flight) -> Figure:
-    """δ [deg] and ℓ [m] that were flown (and asked for, where a stick was), both lengths [m]."""
-    lengths = flight.matrix(LENGTHS, "the steering").T
+    """δ [deg] and ℓ [m] that were flown (and asked for, where a stick was), all lengths [m]."""
+    names = rig_of(flight.parameters).lines
+    lengths = flight.matrix([f"length_{name}_m" for name in names], "the steering").T
     ell, delta = ell_and_delta(flight)
     figure, axes = time_sheet(flight, f"Steering: {flight.name}", 3, 6.5)
     wish = _asked(flight)
@@ -101,7 +104,7 @@ def steering_figure(flight: Flight) -> Figure:
     name_axis(axes[1], "ℓ", "m")
     if any(asked is not None for asked in wish):
         legend(axes[0])
-    for column, style in zip(lengths, (PLUS, MINUS), strict=True):
+    for column, style in zip(lengths, _line_styles(names), strict=True):
         curve(axes[2], flight, column, style)
     name_axis(axes[2], "length", "m")
     legend(axes[2])
@@ -123,6 +126,11 @@ def ell_and_delta(flight: Flight) -> tuple[Array, Array]:
     if not np.all(np.abs(sine) <= 1.0):
         raise InputError(f"the lines of {flight.name} do not reach attachments {2 * y_A} m apart")
     return ell, np.arcsin(sine)
+
+
+def _line_styles(names: Sequence[str]) -> list[LineStyle]:
+    """A style for each line; those beyond the pilot's left and right are told by their names."""
+    return [PLUS, MINUS, *(LineStyle(name, "#3A7D44") for name in names[2:])]
 
 
 def _asked(flight: Flight) -> tuple[Array | None, Array | None]:

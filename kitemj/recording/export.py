@@ -7,7 +7,6 @@ from pyarrow import csv
 
 from kitemj.files import new_file
 from kitemj.recording.file import Recording
-from kitemj.recording.table import ALL
 
 
 def write_table(path: Path, recording: Recording, overwrite: bool = False) -> None:
@@ -17,7 +16,8 @@ def write_table(path: Path, recording: Recording, overwrite: bool = False) -> No
     `path` exists or cannot be written.
     """
     options = csv.WriteOptions(include_header=False)
-    columns = [pa.array(recording.columns[name], from_pandas=True) for name in ALL]
+    names = list(recording.columns)
+    columns = [pa.array(recording.columns[name], from_pandas=True) for name in names]
     with new_file(path, overwrite) as part, part.open("wb") as file:
-        file.write(f"{','.join(ALL)}\n".encode())
-        csv.write_csv(pa.table(columns, names=list(ALL)), file, options)
+        file.write(f"{','.join(names)}\n".encode())
+        csv.write_csv(pa.table(columns, names=names), file, options)

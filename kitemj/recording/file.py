@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 from kitemj.errors import InputError
 from kitemj.flight.limits import RECORDED, Departure, departure_in
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.rig import rig_of
 from kitemj.recording.header import Header, from_json
 from kitemj.recording.recorder import ENDING_KEY, HEADER_KEY, SUFFIX
-from kitemj.recording.table import ALL, Columns, limit_numbers
+from kitemj.recording.table import Columns, all_columns, limit_numbers
 from kitemj.tables import Cell, Table, Tabled
 
 
@@ -89,11 +90,12 @@ def read_recording(path: str | Path) -> Recording:
     if not any(batch.num_rows for batch, _ in batches):
         raise InputError(f"{path} holds no tick: it was cut, or stopped in its first half second")
     whole = pa.Table.from_batches([batch for batch, _ in batches])
-    missing = [name for name in ALL if name not in whole.column_names]
+    parameters = header.checked_parameters(path.name)
+    names = all_columns(rig_of(parameters))
+    missing = [name for name in names if name not in whole.column_names]
     if missing:
         raise InputError(f"{path} lacks the column {missing[0]}: another version wrote it")
-    columns = {name: whole[name].to_numpy() for name in ALL}
-    parameters = header.checked_parameters(path.name)
+    columns = {name: whole[name].to_numpy() for name in names}
     endings = [said[ENDING_KEY].decode() for _, said in batches if said and ENDING_KEY in said]
     return Recording(path, header, parameters, columns, endings[-1] if endings else "")
 

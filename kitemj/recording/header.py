@@ -13,7 +13,7 @@ from kitemj.errors import InputError
 from kitemj.flight.live import TICK, LiveFlight
 from kitemj.physics.compiled import cache_folder
 from kitemj.physics.frames import Angles
-from kitemj.physics.parameter_files import LAWS, parameter_set, parameter_tables
+from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_set, parameter_tables
 from kitemj.physics.parameters import Parameters
 from kitemj.registry import Registry
 
@@ -74,7 +74,9 @@ class Header:
 
     def _named(self) -> list[tuple[Registry[Any], str]]:
         """What was flown with by its name, and where that is looked up; nothing is imported."""
-        laws = [(LAWS[section], self.parameters[section].get("law")) for section in LAWS]
+        laws = [
+            (LAWS[section], self.parameters[section].get(NAMED_BY[section])) for section in LAWS
+        ]
         models = [(MODELS, self.model), (MODELS, self.reference)]
         return [(registry, name) for registry, name in (*laws, *models) if name]
 

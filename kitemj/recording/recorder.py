@@ -18,8 +18,9 @@ import pyarrow as pa
 from kitemj.errors import InputError
 from kitemj.files import check_new
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.rig import Rig, rig_of
 from kitemj.recording.header import Header, to_json
-from kitemj.recording.table import ALL, LIMITS, NUMBERS, PLACE, Tick, table
+from kitemj.recording.table import LIMITS, PLACE, Tick, all_columns, table
 
 SUFFIX = ".arrows"
 FLUSH = 0.5
@@ -34,11 +35,11 @@ PATIENCE = 10.0
 HEADER_KEY, ENDING_KEY = b"kitemj", b"ending"
 
 
-def schema(header: Header) -> pa.Schema:
+def schema(header: Header, rig: Rig) -> pa.Schema:
     """The columns and, in the metadata, the header as JSON."""
-    kinds = dict.fromkeys(NUMBERS, pa.float64()) | dict.fromkeys(PLACE, pa.int32())
-    kinds |= dict.fromkeys(LIMITS, pa.bool_())
-    return pa.schema([(name, kinds[name]) for name in ALL], {HEADER_KEY: to_json(header)})
+    kinds = dict.fromkeys(PLACE, pa.int32()) | dict.fromkeys(LIMITS, pa.bool_())
+    fields = [(name, kinds.get(name, pa.float64())) for name in all_columns(rig)]
+    return pa.schema(fields, {HEADER_KEY: to_json(header)})
 
 
 class Recorder:
@@ -53,7 +54,7 @@ class Recorder:
     ) -> None:
         check_new(path, overwrite)
         self.path, self.problem, self.written = path, "", 0
-        self._parameters, self._schema = parameters, schema(header)
+        self._parameters, self._schema = parameters, schema(header, rig_of(parameters))
         self._queue: deque[Tick] = deque()
         self._waiting: deque[tuple[int, bytes]] = deque()
         self._size, self._given_up = 0, False

@@ -8,16 +8,17 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.formulation import MODELS, make_model
 from kitemj.errors import FlightError
+from kitemj.physics.rig import rig_of
 from kitemj.physics.steering import Control, Segment
 from kitemj.recording.file import Recording
-from kitemj.recording.table import LIMITS, MOTION, STEERING, Columns, motion_row
+from kitemj.recording.table import LIMITS, STEERING, Columns, motion_columns, motion_row
 
 POSITION = ("x_E_m", "y_E_m", "z_E_m")
 
 
 @dataclass(frozen=True)
 class Replay:
-    """The columns of `MOTION` that `model` flies from the steering of `recording`.
+    """The columns of a motion that `model` flies from the steering of `recording`.
 
     Not a number where the model could not fly on; `note` says why. `step` [s] is its longest.
     """
@@ -34,7 +35,7 @@ class Replay:
         recorded = self.recording.columns
         return all(
             np.array_equal(self.columns[name].view(np.int64), recorded[name].view(np.int64))
-            for name in MOTION
+            for name in self.columns
         )
 
     @property
@@ -74,7 +75,8 @@ def replay(recording: Recording, model: str, step: float | None = None) -> Repla
     if model == recording.header.model:
         recording.header.check(MODELS, model, recording.path.name)
     step = step or recording.header.step
-    columns = np.full((len(MOTION), len(recording)), np.nan)
+    names = motion_columns(rig_of(recording.parameters))
+    columns = np.full((len(names), len(recording)), np.nan)
     notes = []
     for episode in recording.episodes:
         try:
@@ -82,7 +84,7 @@ def replay(recording: Recording, model: str, step: float | None = None) -> Repla
                 columns[:, row] = numbers
         except FlightError as error:
             notes.append(str(error))
-    found = dict(zip(MOTION, columns, strict=True))
+    found = dict(zip(names, columns, strict=True))
     return Replay(recording, model, step, found, "; ".join(notes))
 
 

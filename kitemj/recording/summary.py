@@ -13,6 +13,7 @@ from kitemj.physics.parameters import Limits
 from kitemj.recording.file import Recording
 from kitemj.recording.header import Header
 from kitemj.recording.replay import Replay
+from kitemj.recording.table import limit_numbers
 
 BROKEN_OFF = "unknown: the file breaks off (the program was stopped, or the disk was full)"
 
@@ -38,7 +39,7 @@ def facts(recording: Recording) -> dict[str, Any]:
 def _flight(recording: Recording, episode: slice) -> dict[str, Any]:
     """How long, how far from the reference, how close to each limit, where it left them."""
     columns = {name: values[episode] for name, values in recording.columns.items()}
-    pulls = np.stack([columns["tension_plus_N"], columns["tension_minus_N"]]) + 0.0
+    pulls = np.stack(limit_numbers(columns).tensions) + 0.0
     followed = np.isfinite(columns["gap_m"])
     gaps, times = columns["gap_m"][followed], columns["t_s"][followed]
     left = recording.departure(episode)

@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import GROUND, RECORDED, Numbers
 from kitemj.flight.live import Command, Episode, TickResult
-from kitemj.flight.motion_table import COLUMNS, row
+from kitemj.flight.motion_table import columns_of, row
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.rig import TWO_LINES, Rig, rig_of
 from kitemj.physics.steering import Control
 
 Columns = Mapping[str, NDArray[Any]]
@@ -24,16 +25,15 @@ Columns = Mapping[str, NDArray[Any]]
 ATTITUDE = tuple(f"R_BE_{row}{column}" for row in "xyz" for column in "xyz")
 VELOCITY = ("vx_E_m_s", "vy_E_m_s", "vz_E_m_s")
 RATES = ("omega_x_B_rad_s", "omega_y_B_rad_s", "omega_z_B_rad_s")
-MOTION = (*COLUMNS, *ATTITUDE, *VELOCITY, *RATES, "airspeed_m_s")
-"""Of any model's motion; R_BE takes components in E to components in B, row by row."""
+AFTER = (*ATTITUDE, *VELOCITY, *RATES, "airspeed_m_s")
+"""What follows the columns of a table of motions; R_BE takes components in E to B, row by row."""
 
 PLACE = ("leg", "tick", "parent", "start")
 """Which episode of the recording (each restart begins one), which tick in it; whole numbers.
 
 `start` is the state of the header's at which the flight began. An episode that does not begin
 at tick 0 goes on from that tick of the episode `parent`, an earlier one: somebody went back in
-time.
-Its first row is that tick once more.
+time. Its first row is that tick once more.
 """
 
 STICK = ("stick_delta", "stick_ell", "stick_law")
@@ -50,12 +50,25 @@ STEERING = (
 REFERENCE = ("ref_x_E_m", "ref_y_E_m", "ref_z_E_m", *(f"ref_{name}" for name in ATTITUDE))
 """Where the reference was; not a number where it is not valid."""
 
-NUMBERS = (*MOTION, *STICK, *STEERING, *REFERENCE, "gap_m", "lateness_s")
+TICK_NUMBERS = (*STICK, *STEERING, *REFERENCE, "gap_m", "lateness_s")
+"""Of one tick, beside its motion."""
 LIMITS = tuple(limit.name for limit in RECORDED)
 """Whether the instant is beyond this limit of validity; the order says which is told first."""
 
-ALL = (*MOTION, *PLACE, *NUMBERS[len(MOTION) :], *LIMITS)
 NOWHERE = (nan,) * len(REFERENCE)
+
+
+def motion_columns(rig: Rig) -> tuple[str, ...]:
+    """Of any model's motion."""
+    return (*columns_of(rig), *AFTER)
+
+
+def all_columns(rig: Rig) -> tuple[str, ...]:
+    """Of a whole recording."""
+    return (*motion_columns(rig), *PLACE, *TICK_NUMBERS, *LIMITS)
+
+
+MOTION, ALL = motion_columns(TWO_LINES), all_columns(TWO_LINES)
 
 
 class Tick(NamedTuple):
@@ -70,16 +83,17 @@ class Tick(NamedTuple):
 
 
 def motion_row(motion: Motion) -> list[float]:
-    """One motion in the order of `MOTION`."""
+    """One motion in the order of `motion_columns`."""
     _, R, v, omega = motion.body
     return [*row(motion), *R.x, *R.y, *R.z, *v, *omega, motion.air.speed]
 
 
 def table(parameters: Parameters, ticks: Sequence[Tick]) -> Columns:
-    """The columns of `ALL` of some ticks."""
-    rows = [_numbers(tick) for tick in ticks]
-    numbers = np.array(rows, np.float64).reshape(len(rows), len(NUMBERS)).T.copy()
-    columns: dict[str, NDArray[Any]] = dict(zip(NUMBERS, numbers, strict=True))
+    """All columns of some ticks."""
+    rig = rig_of(parameters)
+    names, rows = (*motion_columns(rig), *TICK_NUMBERS), [_numbers(tick) for tick in ticks]
+    numbers = np.array(rows, np.float64).reshape(len(rows), len(names)).T.copy()
+    columns: dict[str, NDArray[Any]] = dict(zip(names, numbers, strict=True))
     places = [(tick.episode.number, tick.tick, *tick.episode[1:]) for tick in ticks]
     whole = np.array(places, np.int32).reshape(len(rows), len(PLACE)).T.copy()
     columns |= dict(zip(PLACE, whole, strict=True))
@@ -87,12 +101,12 @@ def table(parameters: Parameters, ticks: Sequence[Tick]) -> Columns:
     columns["ground"] = np.array([bool(each and each.limit is GROUND) for each in left], np.bool_)
     now = limit_numbers(columns)
     columns |= {limit.name: ~limit.kept(parameters.limits, now) for limit in RECORDED}
-    return {name: columns[name] for name in ALL}
+    return {name: columns[name] for name in all_columns(rig)}
 
 
 def limit_numbers(columns: Columns) -> Numbers:
     """What limits are about; of the ground it is only known whether it was touched, if that."""
-    tensions = (columns["tension_plus_N"], columns["tension_minus_N"])
+    tensions = [column for name, column in columns.items() if name.startswith("tension_")]
     alpha, beta = np.radians(columns["alpha_deg"]), np.radians(columns["beta_deg"])
     touched = np.asarray(columns.get("ground", np.zeros(len(alpha))), np.bool_)
     clearance = np.where(touched, 0.0, inf)

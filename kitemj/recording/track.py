@@ -6,22 +6,23 @@ from math import floor, isfinite, radians
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.dynamics.motion import Body, LineState, Motion, attachment_E
-from kitemj.flight.motion_table import COLUMNS
+from kitemj.dynamics.motion import Body, LineState, Motion
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import Air
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.rig import rig_of
 from kitemj.physics.steering import Control, Segment, control
-from kitemj.physics.vectors import Rotation, Vector, cross, norm, plus, times
+from kitemj.physics.vectors import Rotation, Vector, cross, norm, plus, times, unrotated
 from kitemj.recording.file import Recording
 from kitemj.recording.table import ATTITUDE, RATES, REFERENCE, STEERING, VELOCITY, Columns
 
 Array = NDArray[np.float64]
 O_E = Vector(0.0, 0.0, 0.0)
+POSITION = ("x_E_m", "y_E_m", "z_E_m")
 
 
 class Track:
-    """Motions along `columns` (those of `MOTION`) of a recording or of its replay.
+    """Motions along `columns` (those of its motions) of a recording or of its replay.
 
     A place is a row, or a number between two rows: there position is a cubic through both,
     attitude a straight line made a rotation again. `last` is the last place.
@@ -33,10 +34,15 @@ class Track:
         own, theirs = recording.columns, columns or recording.columns
         self._episode, self._ticks = own["leg"], own["tick"]
         self._steering = _matrix(own, STEERING)
-        self._basic = _matrix(theirs, (*COLUMNS, "airspeed_m_s"))
+        rig = rig_of(recording.parameters)
+        self._q = _matrix(theirs, tuple(f"{name}_rad" for name in rig.coordinates))
+        self._position = _matrix(theirs, POSITION)
+        self._air = _matrix(theirs, ("t_s", "alpha_deg", "beta_deg", "airspeed_m_s"))
+        self._tensions = _matrix(theirs, tuple(f"tension_{name}_N" for name in rig.lines))
+        self._lengths = _matrix(theirs, tuple(f"length_{name}_m" for name in rig.lines))
         self._attitude, self._rates = _matrix(theirs, ATTITUDE), _matrix(theirs, RATES)
         self._velocity = _matrix(theirs, VELOCITY)
-        self._offset = _matrix(own, REFERENCE[:3]) - _matrix(own, COLUMNS[5:8])
+        self._offset = _matrix(own, REFERENCE[:3]) - _matrix(own, POSITION)
         self._reference = _matrix(own, REFERENCE[3:])
 
     def motion(self, place: float) -> Motion | None:
@@ -79,17 +85,19 @@ class Track:
         return at
 
     def _at(self, row: int) -> Motion:
-        b = self._basic[row].tolist()
         body = Body(
-            Vector(*b[5:8]),
+            Vector(*self._position[row].tolist()),
             _rotation(self._attitude[row]),
             Vector(*self._velocity[row].tolist()),
             Vector(*self._rates[row].tolist()),
         )
         ended = self._control(row, 1.0 if self._ticks[row] else 0.0)
-        air = Air(radians(b[8]), radians(b[9]), b[14])
-        lines = _lines(self.parameters, body, b[12:14], b[10:12])
-        return Motion(b[0], Angles(*b[1:5]), body, ended, lines, air)
+        t, alpha, beta, speed = self._air[row].tolist()
+        lengths, tensions = self._lengths[row].tolist(), self._tensions[row].tolist()
+        lines = _lines(self.parameters, body, lengths, tensions)
+        air = Air(radians(alpha), radians(beta), speed)
+        q = Angles(*self._q[row].tolist()) if self._q.shape[1] else None
+        return Motion(t, q, body, ended, lines, air)
 
 
 def between(parameters: Parameters, a: Motion, b: Motion, part: float, steering: Control) -> Motion:
@@ -103,7 +111,7 @@ def between(parameters: Parameters, a: Motion, b: Motion, part: float, steering:
     )
     lengths, tensions = _line(a.lengths, b.lengths, part), _line(a.tensions, b.tensions, part)
     if min(*a.tensions, *b.tensions) > 0.0:  # taut lines are as long as they look
-        lengths = [norm(attachment_E(parameters, body, side)) for side in (1.0, -1.0)]
+        lengths = [norm(knot) for knot in _knots(parameters, body)]
     air = Air(*_line(a.air, b.air, part))
     lines = _lines(parameters, body, lengths, tensions)
     return Motion(a.t + part * h, a.q, body, steering, lines, air)
@@ -114,9 +122,15 @@ def _lines(
 ) -> tuple[LineState, ...]:
     """The lines that lead straight from O_E to the kite."""
     return tuple(
-        LineState(length, tension, tension, (O_E, attachment_E(parameters, body, side)))
-        for side, length, tension in zip((1.0, -1.0), lengths, tensions, strict=True)
+        LineState(length, tension, tension, (O_E, knot))
+        for knot, length, tension in zip(_knots(parameters, body), lengths, tensions, strict=True)
     )
+
+
+def _knots(parameters: Parameters, body: Body) -> list[Vector]:
+    """Where each line ends on the kite [m, E]."""
+    places = rig_of(parameters).attachments(parameters.kite)
+    return [plus(body.p_G_E, unrotated(body.R_BE, place)) for place in places]
 
 
 def _matrix(columns: Columns, names: tuple[str, ...]) -> Array:

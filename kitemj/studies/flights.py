@@ -11,35 +11,37 @@ from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS, Array, X, Z
 from kitemj.dynamics.formulation import make_model
 from kitemj.flight.limits import SLACK, TOUCH, Ending, batch_numbers, departure_in
 from kitemj.flight.scenario import Scenario, scenario_of
+from kitemj.physics.parameter_files import NAMED_BY
+from kitemj.physics.rig import Rig, rig_of
 from kitemj.registry import use
 from kitemj.studies.design import Point
 from kitemj.studies.study import Base, Settings
 
 Row = dict[str, Any]
 
-EXTREMES = (
-    ("tension_plus_{}_N", TENSIONS, 1.0),
-    ("tension_minus_{}_N", TENSIONS + 1, 1.0),
-    ("alpha_{}_deg", ALPHA, 180 / np.pi),
-    ("beta_{}_deg", BETA, 180 / np.pi),
-)
-"""Names of two columns of results, the column of the batch, and its unit in theirs."""
 
-RESULTS: dict[str, type] = {
-    "model": str,
-    "ending": str,
-    "reason": str,
-    "departure": str,
-    "departure_t_s": float,
-    "flown_s": float,
-    **{name.format(end): float for name, *_ in EXTREMES for end in ("min", "max")},
-    "clearance_min_m": float,
-    "gap_max_m": float,
-    "gap_until_s": float,
-    "cost_s": float,
-}
-"""Columns after `flight` and the inputs. Extremes are over the scenario's output times; cost
-is the processor's time, which others who use the machine do not lengthen."""
+def _extremes(rig: Rig) -> list[tuple[str, int, float]]:
+    """Names of two columns of results, the column of the batch, and its unit in theirs."""
+    return [
+        *((f"tension_{name}_{{}}_N", TENSIONS + i, 1.0) for i, name in enumerate(rig.lines)),
+        ("alpha_{}_deg", ALPHA, 180 / np.pi),
+        ("beta_{}_deg", BETA, 180 / np.pi),
+    ]
+
+
+def result_columns(rig: Rig) -> dict[str, type]:
+    """Columns after `flight` and the inputs.
+
+    Extremes are over the scenario's output times; cost is the processor's time, which others
+    who use the machine do not lengthen.
+    """
+    extremes = [name.format(end) for name, *_ in _extremes(rig) for end in ("min", "max")]
+    return {
+        **dict.fromkeys(("model", "ending", "reason", "departure"), str),
+        **dict.fromkeys(("departure_t_s", "flown_s", *extremes, "clearance_min_m"), float),
+        **dict.fromkeys(("gap_max_m", "gap_until_s", "cost_s"), float),
+    }
+
 
 FAILED = "failed"
 """The ending of what could not be flown; the others are the names of `Ending`."""
@@ -95,7 +97,7 @@ def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:
 
 def _warm_up(tables: dict[str, Any], model: str, source: str) -> None:
     """Loads (or compiles) what the flight needs, so that its cost is that of flying."""
-    choices = (("steering", "programme"), ("aero", "law"), ("wind", "law"))
+    choices = (("steering", "programme"), *NAMED_BY.items())
     kind = (model, *(tables.get(section, {}).get(key) for section, key in choices))
     if kind not in _warm:
         scenario = scenario_of(tables, source)
@@ -118,7 +120,7 @@ def _summary(scenario: Scenario, rows: Array) -> Row:
     departure = departure_in(scenario.parameters.limits, times, batch_numbers(rows))
     if departure:
         summary |= {"departure": departure.limit.name, "departure_t_s": departure.t}
-    for name, column, scale in EXTREMES:
+    for name, column, scale in _extremes(rig_of(scenario.parameters)):
         summary[name.format("min")] = scale * float(rows[:, column].min())
         summary[name.format("max")] = scale * float(rows[:, column].max())
     summary["clearance_min_m"] = float(rows[:, CLEARANCE].min())

@@ -14,7 +14,7 @@ from typing import IO, Any
 
 from kitemj.errors import InputError
 from kitemj.files import new_file
-from kitemj.studies.flights import FAILED, RESULTS, Row
+from kitemj.studies.flights import FAILED, Row, result_columns
 from kitemj.studies.study import Study
 
 try:
@@ -145,12 +145,12 @@ class Journal:
         import pyarrow as pa
 
         kinds: dict[type, Any] = {float: pa.float64(), str: pa.string()}
-        fields = [pa.field("flight", pa.int64())]
+        fields, results = [pa.field("flight", pa.int64())], result_columns(self.study.rig)
         for name in self.study.design.names:
-            if name not in RESULTS:
+            if name not in results:
                 number = self.study.design.is_number(name)
                 fields.append(pa.field(name, kinds[float if number else str]))
-        fields += [pa.field(name, kinds[kind]) for name, kind in RESULTS.items()]
+        fields += [pa.field(name, kinds[kind]) for name, kind in results.items()]
         return pa.schema(fields, metadata={"study": self.study.digest})
 
 

@@ -14,8 +14,9 @@ from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
 from kitemj.physics.checked import checked, unknown_key
 from kitemj.physics.compiled import cache_folder
-from kitemj.physics.parameter_files import LAWS, SECTIONS, field_names, read_toml
+from kitemj.physics.parameter_files import LAWS, LINES, NAMED_BY, SECTIONS, field_names, read_toml
 from kitemj.physics.quantity import Quantity
+from kitemj.physics.rig import RIGS, Rig
 from kitemj.physics.steering import Sines
 from kitemj.registry import own_modules
 from kitemj.studies.design import Design, Point, design_of
@@ -67,6 +68,12 @@ class Study:
     base: Base
     design: Design
     digest: str
+
+    @property
+    def rig(self) -> Rig:
+        """By which lines all its flights are flown."""
+        lines = self.base.scenario.get("lines", {})
+        return RIGS[LINES[lines.get(NAMED_BY["lines"], next(iter(LINES.shipped)))]]
 
 
 def as_study(given: Study | str | Path | Mapping[str, Any]) -> Study:
@@ -142,7 +149,10 @@ def _check_name(name: str, source: str) -> None:
         "start": ["at", *Offsets._fields],
         **{key: field_names(kind) for key, kind in SECTIONS.items()},
         **{
-            key: ["law", *(each for law in registry for each in field_names(registry[law]))]
+            key: [
+                NAMED_BY[key],
+                *(each for law in registry for each in field_names(registry[law])),
+            ]
             for key, registry in LAWS.items()
         },
     }
