@@ -17,7 +17,7 @@ from kitemj.flight.scenario import read_scenario
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.recording.file import read_recording
 from kitemj.tables import Table, json_text
-from tests.recording.flights import live_flight, recorded
+from tests.recording.flights import recorded
 
 PAIR = ["mujoco", "lagrange"]
 
@@ -99,7 +99,7 @@ def test_reach(printed):
 
 
 def test_info(printed, tmp_path):
-    path = recorded(tmp_path / "x.arrows", 20, live_flight({"set": "sport", "duration": 9.0}))
+    path = recorded(tmp_path / "x.arrows", 20, {"set": "sport", "duration": 9.0})
     recording = read_recording(path)
     found, status = printed("info", path)
     assert (found["ticks"], len(found["flights"]), status) == (20, 1, 0)
