@@ -94,9 +94,9 @@ def fly(
     except KeyboardInterrupt:
         pass  # leaving in a hurry is leaving: the film and the summary are complete
     finally:
+        wall = time.perf_counter() - begun
         recording = physics.stop(ending)
         screen.close()
-    wall = time.perf_counter() - begun
     times = physics.times
     return Summary(times.ticks * TICK, times, frames, wall, first, recording)
 
