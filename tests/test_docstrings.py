@@ -8,7 +8,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 ROOMS = (
-    *(f"kitemj/{name}" for name in ("pilots", "stability", "studies", "plots")),
+    *(f"kitemj/{name}" for name in ("pilots", "equilibria", "studies", "plots")),
     *(f"kitemj/{name}" for name in ("controls", "drawing", "cockpit")),
     "scripts",
 )

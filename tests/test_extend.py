@@ -89,20 +89,14 @@ phi_deg = 3.0
 """
 RECORD = """
 from pathlib import Path
-from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.live import Command
 from kitemj.flight.scenario import read_scenario, scenario_of
-from kitemj.recording.header import header_of
-from kitemj.recording.recorder import Recorder
-from kitemj.recording.table import Tick
+from kitemj.recording.live import RecordedFlight
 
 def record(scenario, model, path):
-    flight = LiveFlight(scenario, model)
-    recorder = Recorder(Path(path), header_of(flight), flight.parameters)
-    recorder.add(Tick(0, flight.segment.control, Command(), flight.restart(), 0.0))
-    for command in [Command(0.5)] * 40:
-        result = flight.tick(command)
-        recorder.add(Tick(flight.ticks, flight.segment.control, command, result, 0.0))
-    recorder.close("as long as was asked")
+    with RecordedFlight(scenario, model, "lagrange", record=Path(path)) as flight:
+        for _ in range(40):
+            flight.tick(Command(0.5))
 
 record(read_scenario(Path("theirs.toml")), "mujoco", "theirs.arrows")
 record(scenario_of({"set": "sport", "duration": 1.0}, "test"), "same-again", "model.arrows")

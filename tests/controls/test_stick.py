@@ -263,5 +263,5 @@ def test_the_stick_that_ships_flies_its_loop():
 
 
 def test_a_table_that_is_not_there(tmp_path):
-    with pytest.raises(InputError, match=r"cannot read .*none\.csv: No such file"):
+    with pytest.raises(InputError, match=r"cannot read .*none\.csv: there is no such file"):
         read_programmed_stick(tmp_path / "none.csv", SPORT)

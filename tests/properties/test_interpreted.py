@@ -32,7 +32,7 @@ def test_air(case, v, omega, t):
     parameters, state, _ = case
     R, p = frames.R_BE(state.q), frames.Vector(-30.0, 4.0, -80.0)
     assert_same(loads.aerodynamic_wrench, parameters, p, R, v, omega, t)
-    assert_same(wind.wind_velocity, parameters.wind, p, t)
+    assert_same(wind.wind_law.formulas[type(parameters.wind)], parameters.wind, p, t)
 
 
 @given(cases)
