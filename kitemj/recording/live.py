@@ -1,9 +1,10 @@
 """A live flight that records itself, and all that it takes to begin one."""
 
 import time
+from collections.abc import Mapping
 from pathlib import Path
 from types import TracebackType
-from typing import NamedTuple, Self
+from typing import Any, NamedTuple, Self
 
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.motion import State
@@ -29,13 +30,13 @@ class RecordedFlight(LiveFlight):
 
     def __init__(
         self,
-        scenario: Scenario,
+        scenario: Scenario | str | Path | Mapping[str, Any],
         model: str = "mujoco",
         reference: str | None = None,
         step: float = DEFAULT_STEP,
         other_starts: tuple[State, ...] = (),
         start: int = 0,
-        record: Path | None = None,
+        record: str | Path | None = None,
         overwrite: bool = False,
     ) -> None:
         """Stands at its start, which is the first row; raises InputError as `Recorder` does.
@@ -46,7 +47,7 @@ class RecordedFlight(LiveFlight):
         """
         super().__init__(scenario, model, reference, step, other_starts, start)
         if record:
-            self._recorder = Recorder(record, header_of(self), self.parameters, overwrite)
+            self._recorder = Recorder(Path(record), header_of(self), self.parameters, overwrite)
             self._add(Command())
 
     @property
