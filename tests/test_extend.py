@@ -104,10 +104,9 @@ record(scenario_of({"set": "sport", "duration": 1.0}, "test"), "same-again", "mo
 STUDY = """
 scenario = "theirs.toml"
 model = "lagrange"
-[[list]]
-"wind.strength" = 0.2
-[[list]]
-"aero.linear.Cm_0" = 0.13
+[grid]
+"wind.strength" = [0.2, 0.6]
+"aero.linear.Cm_0" = [0.12, 0.13, 0.14]
 """
 TRIM = """
 import json
@@ -132,7 +131,8 @@ far = (found.height - 30.0) / 30.0
 downwind = found.height / tan(found.elevation)
 speed = 5.0 * (1 + 0.5 * exp(-far * far)) * (1 + 0.01 * downwind)
 level = equilibrium({"speed": speed, "azimuth_deg": 20.0})
-print(json.dumps([found.q, level.q, refused(veer=0.01), refused(pulse=1.0)]))
+scalar = trimmed(parameter_set("sport", {"wind": WIND}))[:4].tolist()
+print(json.dumps([found.q, scalar, level.q, refused(veer=0.01), refused(pulse=1.0)]))
 """
 POINTS = """
 [kitemj.aero_laws]
@@ -197,8 +197,9 @@ def test_the_three_models_agree_with_them(desk):
 
 
 def test_their_equilibrium_is_that_of_a_constant_wind_as_at_the_kite(desk):
-    found, level, veering, pulsing = json.loads(run(desk, "-c", TRIM))
+    found, scalar, level, veering, pulsing = json.loads(run(desk, "-c", TRIM))
     assert found == pytest.approx(level, abs=SAME)
+    assert scalar == pytest.approx(level, abs=SAME)
     for refused in (veering, pulsing):
         assert "needs a wind that is steady and blows along its azimuth, this Jet" in refused
 
@@ -239,8 +240,8 @@ def test_a_module_that_is_used_is_known_to_the_processes_of_a_study(desk):
     words = ("sweep", "study.toml", "--use", "mine", "--processes", "1", "--output", "rows.parquet")
     kitemj(desk, *words, package=False)
     rows = read_table(desk / "rows.parquet").to_pylist()
-    assert [row["ending"] for row in rows] == ["finished"] * 2
-    assert rows[0]["alpha_max_deg"] != rows[1]["alpha_max_deg"]
+    assert [row["ending"] for row in rows] == ["finished"] * 6  # three here, three in a process
+    assert len({row["alpha_max_deg"] for row in rows}) == 6
 
 
 class Nested(NamedTuple):
