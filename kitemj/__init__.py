@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from kitemj.errors import FlightError, InputError, NoGraphics
     from kitemj.flight.compare import Comparison
     from kitemj.flight.limits import Ending
-    from kitemj.flight.live import TICK, Command, LiveFlight, TickResult
+    from kitemj.flight.live import TICK, Command, TickResult
     from kitemj.flight.scenario import Scenario, as_scenario
     from kitemj.physics.parameter_files import parameter_set, set_names
     from kitemj.physics.parameters import Parameters
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from kitemj.plots.flight import Flight
     from kitemj.plots.sources import read_flight
     from kitemj.recording.file import Recording, read_recording
+    from kitemj.recording.live import LiveFlight
     from kitemj.recording.replay import Replay
     from kitemj.studies.result import StudyResult
 
@@ -86,7 +87,7 @@ _MODULES = {
     "errors": "FlightError InputError NoGraphics",
     "flight.compare": "Comparison",
     "flight.limits": "Ending",
-    "flight.live": "TICK Command LiveFlight TickResult",
+    "flight.live": "TICK Command TickResult",
     "flight.scenario": "Scenario as_scenario",
     "physics.parameter_files": "parameter_set set_names",
     "physics.parameters": "Parameters",
@@ -98,6 +99,7 @@ _MODULES = {
     "plots.flight": "Flight",
     "plots.sources": "read_flight",
     "recording.file": "Recording read_recording",
+    "recording.live": "LiveFlight",
     "recording.replay": "Replay",
     "equilibria.cycle": "Cycle",
     "equilibria.modes": "Stability",

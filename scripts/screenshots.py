@@ -27,7 +27,7 @@ from kitemj.drawing.readings import Readings
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.compare import position_gap
-from kitemj.flight.live import TICK, Command, LiveFlight
+from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import Scenario, read_scenario, scenario_of
 from kitemj.flight.simulate import simulate
 from kitemj.physics.parameter_files import read_toml
@@ -142,7 +142,7 @@ def views_and_instruments(folder: Path) -> None:
 def first_flight(folder: Path) -> None:
     """The first lesson, and what comes of a stick that is held to the left."""
     scenario = scenario_of({"set": "sport", "duration": 60.0}, "first flight")
-    flight = LiveFlight(scenario, reference="lagrange")
+    flight = SteeredFlight(scenario, reference="lagrange")
     course, ground = Course(flight.parameters), FirstTouch(flight.parameters)
     history, left, result = History(flight.parameters), Command(-1.0), flight.result
     wish = -flight.parameters.stick.delta

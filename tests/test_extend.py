@@ -91,10 +91,10 @@ RECORD = """
 from pathlib import Path
 from kitemj.flight.live import Command
 from kitemj.flight.scenario import read_scenario, scenario_of
-from kitemj.recording.live import RecordedFlight
+from kitemj.recording.live import LiveFlight
 
 def record(scenario, model, path):
-    with RecordedFlight(scenario, model, "lagrange", record=Path(path)) as flight:
+    with LiveFlight(scenario, model, "lagrange", record=Path(path)) as flight:
         for _ in range(40):
             flight.tick(Command(0.5))
 

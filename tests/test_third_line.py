@@ -21,7 +21,7 @@ from kitemj.physics.quantity import Quantity
 from kitemj.physics.rig import RIGS, Rig, rig_of
 from kitemj.physics.vectors import Vector, norm, plus, times
 from kitemj.recording.file import read_recording
-from kitemj.recording.live import RecordedFlight
+from kitemj.recording.live import LiveFlight
 from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
 from kitemj.studies.flights import fly, result_columns
@@ -88,7 +88,7 @@ def tables(monkeypatch):
 def recording(tables, tmp_path):
     """Half a second of it flown live."""
     path = tmp_path / "three.arrows"
-    with RecordedFlight(
+    with LiveFlight(
         scenario_of(tables, "test"), model="three", reference=None, record=path
     ) as flight:
         for _ in range(50):

@@ -73,8 +73,8 @@ class Saved(NamedTuple):
     reference: Snapshot | None
 
 
-class LiveFlight:
-    """The model `model`, with the model `reference` beside it if one is named.
+class SteeredFlight:
+    """A model steered tick by tick, with a reference beside it if one is named.
 
     `result` is what is known now, `segment` how the lines moved in the last of `ticks`.
     """

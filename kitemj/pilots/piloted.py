@@ -3,7 +3,7 @@
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.errors import FlightError
 from kitemj.flight.limits import Ending, first_departure, touches_ground
-from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import Simulation, continuous
 from kitemj.pilots.manoeuvres import Pilot
@@ -18,7 +18,7 @@ def simulate_pilot(
     The motions are those at the scenario's output interval [s], rounded to ticks, and the
     last. `step` [s] is the longest step of models with fixed steps.
     """
-    flight, (duration, interval) = LiveFlight(scenario, model, step=step), scenario.times
+    flight, (duration, interval) = SteeredFlight(scenario, model, step=step), scenario.times
     result = flight.restart()
     motions, ending, note = [result.motion], Ending.FINISHED, ""
     ticks, every = max(1, round(duration / TICK)), max(1, round(interval / TICK))

@@ -12,7 +12,7 @@ from kitemj.pilots.crash import FirstTouch
 from kitemj.realtime.memory import peak_memory
 from kitemj.realtime.messages import Deed, Rate, StartAt, Stop, TickNews, Timekeeping, Wish
 from kitemj.realtime.rewind import RewindHistory
-from kitemj.recording.live import RecordedFlight, RecordedTick
+from kitemj.recording.live import LiveFlight, RecordedTick
 
 MAX_LAG = 0.25
 """s; further behind than this the flight does not race after the clock: time is let go."""
@@ -26,7 +26,7 @@ class Pacer:
 
     def __init__(
         self,
-        flight: RecordedFlight,
+        flight: LiveFlight,
         wishes: Callable[[], Iterable[Wish]],
         tell: Callable[[TickNews], None],
     ) -> None:

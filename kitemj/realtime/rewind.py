@@ -2,7 +2,7 @@
 
 from collections import deque
 
-from kitemj.flight.live import TICK, LiveFlight, Saved
+from kitemj.flight.live import TICK, Saved, SteeredFlight
 
 EVERY = 1.0
 """s of flight between the moments that are kept."""
@@ -19,12 +19,12 @@ class RewindHistory:
         self._past: deque[Saved] = deque(maxlen=round(60 * MINUTES / EVERY))
         self._marked: tuple[Saved, list[Saved]] | None = None
 
-    def see(self, flight: LiveFlight) -> None:
+    def see(self, flight: SteeredFlight) -> None:
         """Keeps the moment if it is time to."""
         if flight.ticks % round(EVERY / TICK) == 0:
             self._past.append(flight.save())
 
-    def mark(self, flight: LiveFlight) -> None:
+    def mark(self, flight: SteeredFlight) -> None:
         """Keeps the present moment, with the past that led there, until another is marked."""
         self._marked = flight.save(), list(self._past)
 
@@ -37,7 +37,7 @@ class RewindHistory:
         self._past.extend(past)
         return kept
 
-    def back(self, flight: LiveFlight) -> Saved | None:
+    def back(self, flight: SteeredFlight) -> Saved | None:
         """The kept moment `BACK` or a little more ago, else the first; forgets what came after."""
         wanted = flight.ticks - round(BACK / TICK)
         while len(self._past) > 1 and self._past[-1].ticks > wanted:

@@ -10,7 +10,7 @@ from typing import Any
 from kitemj.dynamics.formulation import MODELS
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
-from kitemj.flight.live import TICK, LiveFlight
+from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.physics.compiled import cache_folder
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_set, parameter_tables
@@ -81,7 +81,7 @@ class Header:
         return [(registry, name) for registry, name in (*laws, *models) if name]
 
 
-def header_of(flight: LiveFlight) -> Header:
+def header_of(flight: SteeredFlight) -> Header:
     """The header of a live flight that is about to begin."""
     header = Header(
         scenario=flight.scenario.source,

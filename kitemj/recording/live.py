@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, Self
 
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.motion import State
-from kitemj.flight.live import Command, LiveFlight, Saved, TickResult
+from kitemj.flight.live import Command, Saved, SteeredFlight, TickResult
 from kitemj.flight.scenario import Scenario
 from kitemj.physics.steering import Segment
 from kitemj.recording.header import header_of
@@ -18,10 +18,11 @@ from kitemj.recording.table import Tick
 CLOSED = "closed by its program"
 
 
-class RecordedFlight(LiveFlight):
-    """A `LiveFlight` that writes every tick, restart and return in time to the file `record`.
+class LiveFlight(SteeredFlight):
+    """A flight that is steered tick by tick, and may leave a recording of all that was flown.
 
-    A context manager, which closes the recording. `lateness` [s] is that of the last tick.
+    A context manager, which closes the recording. `result` is what is known now; `lateness` [s]
+    is that of the last tick.
     """
 
     _recorder: Recorder | None = None
@@ -41,9 +42,14 @@ class RecordedFlight(LiveFlight):
     ) -> None:
         """Stands at its start, which is the first row; raises InputError as `Recorder` does.
 
-        scenario, model, reference, step, other_starts, start  as `LiveFlight` has them
-        record     a new file; None: this flight leaves no recording
-        overwrite  whether `record` may replace a file
+        scenario      kite, wind, and the state at which to begin; its steering is not flown
+        model         the formulation that flies
+        reference     the formulation that follows it through the same ticks; None costs nothing
+        step          longest step [s] of formulations with fixed steps
+        other_starts  states to begin at besides; `starts` has the scenario's first, then these
+        start         which of `starts` to begin at
+        record        a new file; None: this flight leaves no recording
+        overwrite     whether `record` may replace a file
         """
         super().__init__(scenario, model, reference, step, other_starts, start)
         if record:
@@ -56,22 +62,25 @@ class RecordedFlight(LiveFlight):
         return self._recorder.problem if self._recorder else ""
 
     def restart(self, start: int = 0) -> TickResult:
-        """As `LiveFlight.restart`; begins an episode of the recording."""
+        """Back to that of the `starts`, lines still; returns the first moment of the flight."""
         super().restart(start)
         return self._add(Command())
 
     def resume(self, saved: Saved) -> TickResult:
-        """As `LiveFlight.resume`; begins an episode that goes on from that of `saved`."""
+        """Back to a moment that `save` returned; begins an episode, which goes on from there."""
         super().resume(saved)
         return self._add(Command())
 
     def tick(self, command: Command, due: float | None = None) -> TickResult:
-        """As `LiveFlight.tick`; `due` [s, perf_counter]: since when it should have been done."""
+        """One tick with the stick at `command`; raises FlightError where the flight diverges.
+
+        `due` [s, perf_counter]: since when it should have been done; None: no clock is kept.
+        """
         self._due = due
         return super().tick(command)
 
     def fly(self, segment: Segment, command: Command, wish: float = 0.0) -> TickResult:
-        """As `LiveFlight.fly`."""
+        """One tick of `segment`, which `command` asked for; `wish` [rad] is the δ of it."""
         super().fly(segment, command, wish)
         return self._add(command)
 
@@ -110,7 +119,7 @@ class RecordedTick(NamedTuple):
 
 
 class FlightSetup(NamedTuple):
-    """What `RecordedFlight` takes, and the ticks of the `past` that lead to where it goes on."""
+    """What `LiveFlight` takes, and the ticks of the `past` that lead to where it goes on."""
 
     scenario: Scenario
     model: str = "mujoco"
@@ -122,6 +131,6 @@ class FlightSetup(NamedTuple):
     overwrite: bool = False
     past: tuple[RecordedTick, ...] = ()
 
-    def flight(self) -> RecordedFlight:
+    def flight(self) -> LiveFlight:
         """The flight at its start, the past not flown yet."""
-        return RecordedFlight(*self[:-1])
+        return LiveFlight(*self[:-1])

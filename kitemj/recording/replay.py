@@ -91,7 +91,7 @@ def replay(recording: Recording, model: str, step: float | None = None) -> Repla
 def _flown(
     recording: Recording, episode: slice, model: str, step: float
 ) -> Iterator[tuple[int, list[float]]]:
-    """Each row of an episode with its motion, by the very calls that `LiveFlight` makes.
+    """Each row of an episode with its motion, by the very calls that `SteeredFlight` makes.
 
     An episode that goes on from another is flown from that one's start.
     """

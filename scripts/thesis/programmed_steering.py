@@ -12,7 +12,7 @@ from kitemj.dynamics.batch import Array
 from kitemj.dynamics.formulation import make_model
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import TOUCH
-from kitemj.flight.live import TICK, Command, LiveFlight
+from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.physics.parameters import StickLimits
 from kitemj.physics.shaping import StickLaw, asked, shaped
@@ -78,7 +78,7 @@ def live_flights(length: float, limits: StickLimits, schedule: Schedule) -> dict
     """The same schedule through two live flights: the motions of all three models at every tick."""
     found: dict[str, list[Motion]] = {"lagrange": [], "newton-euler": [], "mujoco": []}
     for model in ("mujoco", "newton-euler"):
-        flight = LiveFlight(scenario(length, limits), model, "lagrange")
+        flight = SteeredFlight(scenario(length, limits), model, "lagrange")
         results = [
             flight.restart(),
             *(flight.tick(Command(stick)) for stick in stick_values(schedule)),

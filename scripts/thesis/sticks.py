@@ -40,7 +40,7 @@ ANSWERS = (
         Verdict.NOT_APPLICABLE,
         _DIAGRAM + "StickLaw.ACCELERATION in kitemj/physics/shaping.py",
     ),
-    Answer("Figure 19", Verdict.NOT_APPLICABLE, _DIAGRAM + "LiveFlight in kitemj/flight/live.py"),
+    Answer("Figure 19", Verdict.NOT_APPLICABLE, _DIAGRAM + "tick in kitemj/flight/live.py"),
     Answer("Figure 20", Verdict.REPRODUCED, "the peaks of a knob without a filter", "sticks_raw"),
     Answer(
         "Figure 21",

@@ -18,7 +18,7 @@ from kitemj.physics.steering import Control, Segment, control, ell_delta
 from kitemj.realtime.messages import Stop, Wish
 from kitemj.realtime.pacer import Pacer
 from kitemj.recording.file import Recording, read_recording
-from kitemj.recording.live import RecordedFlight
+from kitemj.recording.live import LiveFlight
 from kitemj.recording.replay import replay
 from kitemj.recording.table import ATTITUDE, MOTION, STEERING, Columns, motion_row
 from thesis.ode45 import ATOL, RTOL, solve
@@ -59,8 +59,8 @@ def record_flight(path: Path, seconds: float) -> Recording:
     """
     scenario = scenario_of({"set": "thesis", "duration": seconds}, "the flight of section 4.3")
     stick = ProgrammedStick([Row(t, steer) for t, steer in MOVES], scenario.parameters)
-    RecordedFlight(scenario, reference="lagrange").warm_up()
-    with RecordedFlight(scenario, reference="lagrange", record=path) as flight:
+    LiveFlight(scenario, reference="lagrange").warm_up()
+    with LiveFlight(scenario, reference="lagrange", record=path) as flight:
 
         def wishes() -> Iterator[Wish]:
             departure = flight.result.departure

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import GROUND, Departure
-from kitemj.flight.live import TICK, Command, LiveFlight, TickResult
+from kitemj.flight.live import TICK, Command, SteeredFlight, TickResult
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import parameter_set
@@ -55,7 +55,7 @@ class ReelOut:
 
 def fly(kite: str, pilot: Pilot, duration: float) -> Outcome:
     """The set `kite` under `pilot` for `duration` [s], or until it touches the ground."""
-    flight = LiveFlight(scenario_of({"set": kite, "duration": duration}, "section 7"))
+    flight = SteeredFlight(scenario_of({"set": kite, "duration": duration}, "section 7"))
     result, first = flight.result, None
     for _ in range(round(duration / TICK)):
         result = flight.tick(pilot.command(result.motion))

@@ -13,7 +13,7 @@ from kitemj.cockpit.measuring import (
 )
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.readings import Readings
-from kitemj.flight.live import TICK, Command, LiveFlight
+from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.realtime.messages import FRAME, TickNews, Timekeeping
 from kitemj.realtime.process import FlightProcess
@@ -29,7 +29,7 @@ def frame_with(stick, size):
     frame = np.full((size[1], size[0], 3), 128, np.uint8)
     surface = pygame.image.frombuffer(frame.data, size, "RGB")
     readings = Readings(delta_command=stick * PARAMETERS.stick.delta)
-    motion = LiveFlight(SCENARIO).result.motion
+    motion = SteeredFlight(SCENARIO).result.motion
     Instruments(PARAMETERS, *size).paint(surface, motion, readings, {"knob"})
     return frame
 
@@ -53,7 +53,7 @@ def test_a_move_of_the_stick_is_seen_in_the_frame_that_shows_it(size):
 
 
 def news(begun, delta):
-    command, result = Command(delta), LiveFlight(SCENARIO).result
+    command, result = Command(delta), SteeredFlight(SCENARIO).result
     return TickNews(begun, begun, command, result, 0.0, Timekeeping(), None, "", 0.0)
 
 

@@ -16,7 +16,7 @@ from kitemj.controls.settings import Feel, Settings
 from kitemj.controls.stick import USUAL, PersonStick, PilotStick
 from kitemj.controls.stick_mapping import Deflections, command_of, one_line_each
 from kitemj.errors import InputError
-from kitemj.flight.live import TICK, Command, LiveFlight
+from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw
@@ -148,7 +148,7 @@ def test_each_stick_asks_for_its_own_line(parameters, left, right):
 
 def test_the_right_stick_flies_by_its_line():
     """L₋ follows, L₊ stays, as nearly as a tick of constant acceleration can."""
-    flight = LiveFlight(scenario_of({"set": "sport", "duration": 60.0}, "test"))
+    flight = SteeredFlight(scenario_of({"set": "sport", "duration": 60.0}, "test"))
     for _ in range(150):
         flight.tick(one_line_each(SPORT, 0.0, 0.6))
     limits = SPORT.stick
@@ -177,7 +177,7 @@ def test_a_mirrored_kite_goes_where_the_stick_points(desk):
     assert ProgrammedStick(table, SPORT).command(At(1.0)).delta == 0.5
     pull = Deflections(right=1.0)
     assert command_of(pull, THESIS, StickLaw.ANGLE, True).delta > 0
-    motion = LiveFlight(scenario_of({"set": "sport", "duration": 1.0}, "test")).result.motion
+    motion = SteeredFlight(scenario_of({"set": "sport", "duration": 1.0}, "test")).result.motion
     assert PilotStick(Hold()).command(motion) == Hold().command(motion)
 
 
@@ -253,7 +253,7 @@ def test_tables_that_are_none(tmp_path, text, says):
 def test_the_stick_that_ships_flies_its_loop():
     """Ten seconds after it, the kite has turned once and is still aloft."""
     stick = read_programmed_stick(STICKS / "loop_right.csv", SPORT)
-    flight, twist = LiveFlight(scenario_of({"set": "sport", "duration": 60.0}, "test")), Twist()
+    flight, twist = SteeredFlight(scenario_of({"set": "sport", "duration": 60.0}, "test")), Twist()
     for _ in range(1200):
         flight.tick(stick.command(flight.result.motion))
         turns = twist.look(flight.result.motion)

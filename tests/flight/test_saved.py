@@ -5,7 +5,7 @@ import pytest
 
 from kitemj.dynamics.formulation import MODELS
 from kitemj.flight.limits import GROUND
-from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.live import Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
 from tests.recording.flights import LOOPS, restless
 
@@ -38,7 +38,7 @@ def flown(flight, stick, ticks):
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("tables", [SPORT, GUSTS], ids=["sport", "gusts"])
 def test_resumed_flight_has_the_same_bits(model, tables):
-    flight = LiveFlight(scenario_of(tables, "test"), model, "lagrange")
+    flight = SteeredFlight(scenario_of(tables, "test"), model, "lagrange")
     flown(flight, restless(1), 150)
     saved = flight.save()
     first = flown(flight, restless(2), 200)
@@ -50,7 +50,7 @@ def test_resumed_flight_has_the_same_bits(model, tables):
 
 
 def test_resumed_flight_has_the_same_bits_with_slack_lines_and_on_the_ground():
-    flight = LiveFlight(scenario_of(VIOLENT, "test"))
+    flight = SteeredFlight(scenario_of(VIOLENT, "test"))
     stick = restless(5, hold=25)
     results, saved = [], []
     for _ in range(700):
@@ -70,7 +70,7 @@ def test_resumed_flight_has_the_same_bits_with_slack_lines_and_on_the_ground():
 
 
 def test_another_stick_after_going_back_is_another_flight():
-    flight = LiveFlight(scenario_of(SPORT, "test"))
+    flight = SteeredFlight(scenario_of(SPORT, "test"))
     flown(flight, restless(1), 50)
     saved = flight.save()
     first = flown(flight, iter([Command(1.0)] * 100), 100)

@@ -5,7 +5,7 @@ from math import atan2, cos, hypot, pi, radians, sin, sqrt
 import pytest
 
 from kitemj.dynamics.motion import Body, Motion, PerLine, straight_lines
-from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.live import Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import Air
@@ -152,7 +152,7 @@ def test_a_soft_part_of_a_hard_kite_is_no_landing() -> None:
 
 def fly(stick: float, until: float, wind: float, every: int, model: str) -> Touch | None:
     tables = {"set": "sport", "duration": 30.0, "wind": {"speed": wind}}
-    flight = LiveFlight(scenario_of(tables, "test"), model, step=0.002)
+    flight = SteeredFlight(scenario_of(tables, "test"), model, step=0.002)
     ground, result = FirstTouch(flight.parameters), flight.restart()
     while result.motion.t < 12.0 and not ground.touch:
         result = flight.tick(Command(stick if result.motion.t < until else 0.0))
@@ -177,7 +177,7 @@ def test_a_dive_is_told_as_it_was_before_the_ground_pushed(model: str) -> None:
 
 def test_a_pilots_landing_is_gentle() -> None:
     tables = {"set": "sport", "duration": 30.0}
-    flight = LiveFlight(scenario_of(tables, "test"), step=0.002)
+    flight = SteeredFlight(scenario_of(tables, "test"), step=0.002)
     ground, result, pilot = FirstTouch(flight.parameters), flight.restart(), Land()
     while result.motion.t < 20.0 and not ground.watch(result.motion):
         result = flight.tick(pilot.command(result.motion))

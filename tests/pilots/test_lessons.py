@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.live import TICK, Command, LiveFlight
+from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.pilots import manoeuvres as pilots
 from kitemj.pilots.advice import Advice, Observation
@@ -30,19 +30,19 @@ FRAME = 3
 Stick = Callable[[Motion], float]
 
 
-def only(key: str, flight: LiveFlight) -> Course:
+def only(key: str, flight: SteeredFlight) -> Course:
     """A course of which one lesson is left."""
     return Course(flight.parameters, [other for other in KEYS if other != key])
 
 
-def live(key: str, wind: float = 6.5, model: str = "lagrange") -> LiveFlight:
+def live(key: str, wind: float = 6.5, model: str = "lagrange") -> SteeredFlight:
     """A flight that begins where the lesson wants it to."""
     scenario = scenario_of({"set": "sport", "duration": 60.0, "wind": {"speed": wind}}, "test")
-    start = only(key, LiveFlight(scenario, "lagrange", step=STEP)).start
-    return LiveFlight(replace(scenario, start=start or scenario.start), model, step=STEP)
+    start = only(key, SteeredFlight(scenario, "lagrange", step=STEP)).start
+    return SteeredFlight(replace(scenario, start=start or scenario.start), model, step=STEP)
 
 
-def flown(flight: LiveFlight, stick: Stick, duration: float = 40.0) -> list[Motion]:
+def flown(flight: SteeredFlight, stick: Stick, duration: float = 40.0) -> list[Motion]:
     """All motions until the ground or the end."""
     motions, ground = [flight.restart().motion], FirstTouch(flight.parameters)
     while motions[-1].t < duration - TICK / 2 and not ground.watch(motions[-1]):
@@ -187,7 +187,7 @@ def test_a_pupil_passes_the_whole_course_with_a_restart_for_each_flight() -> Non
             break
         begun.append(entry.key)
         scenario = replace(flight.scenario, start=course.start or live("land").scenario.start)
-        flight = LiveFlight(scenario, "lagrange", step=STEP)
+        flight = SteeredFlight(scenario, "lagrange", step=STEP)
         course.watch(flown(flight, piloted(Pupil(course, 0.25)), 60.0)[-1])
     assert course.passed == set(KEYS)
     assert len(begun) <= 3

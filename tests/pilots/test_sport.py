@@ -10,7 +10,7 @@ from kitemj.dynamics.lagrange_kite import flown
 from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.equilibrium import equilibrium_state
 from kitemj.flight.limits import GROUND
-from kitemj.flight.live import Command, LiveFlight
+from kitemj.flight.live import Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
@@ -46,7 +46,7 @@ class PilotedFlight:
 
     def __init__(self, pilot: Pilot, wind: float, duration: float) -> None:
         tables = {"set": "sport", "duration": duration, "wind": {"speed": wind}}
-        flight = LiveFlight(scenario_of(tables, "test"), reference="lagrange")
+        flight = SteeredFlight(scenario_of(tables, "test"), reference="lagrange")
         result = flight.restart()
         self.motions, self.departures, self.gap = [result.motion], [], 0.0
         while result.motion.t < duration - 1e-9 and not self.landed:

@@ -7,7 +7,7 @@ from random import Random
 from kitemj.flight.live import Command
 from kitemj.flight.scenario import scenario_of
 from kitemj.realtime.pacer import Pacer
-from kitemj.recording.live import RecordedFlight
+from kitemj.recording.live import LiveFlight
 
 TABLES = {"set": "thesis", "duration": 60.0}
 LOOPS = {
@@ -23,7 +23,7 @@ LOOPS = {
 
 
 def live_flight(tables=TABLES, model="mujoco", reference="lagrange", **options):
-    return RecordedFlight(scenario_of(tables, "test"), model, reference, **options)
+    return LiveFlight(scenario_of(tables, "test"), model, reference, **options)
 
 
 def restless(seed, ell=0.1, hold=70):
