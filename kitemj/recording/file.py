@@ -97,7 +97,20 @@ def read_recording(path: str | Path) -> Recording:
         raise InputError(f"{path} lacks the column {missing[0]}: another version wrote it")
     columns = {name: whole[name].to_numpy() for name in names}
     endings = [said[ENDING_KEY].decode() for _, said in batches if said and ENDING_KEY in said]
-    return Recording(path, header, parameters, columns, endings[-1] if endings else "")
+    recording = Recording(path, header, parameters, columns, endings[-1] if endings else "")
+    _check_parents(recording)
+    return recording
+
+
+def _check_parents(recording: Recording) -> None:
+    """Raises InputError where an episode goes on from none before it."""
+    for number, episode in enumerate(recording.episodes):
+        parent, tick = (int(recording.columns[key][episode.start]) for key in ("parent", "tick"))
+        if tick > 0 and not 0 <= parent < number:
+            raise InputError(
+                f"{recording.path} is damaged: its flight {number + 1} goes on from flight "
+                f"{parent + 1}, which must be an earlier one"
+            )
 
 
 def _batches(path: Path) -> tuple[list[tuple[pa.RecordBatch, dict[bytes, bytes] | None]], bytes]:
