@@ -108,14 +108,7 @@ def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
     body = spec.body("kite")
     body.pos = (-0.4 * length, 0.0, 0.9 * length)
     body.mass = kite.mass
-    body.fullinertia = (
-        kite.inertia_x,
-        kite.inertia_y,
-        kite.inertia_z,
-        0.0,
-        -kite.inertia_xz,
-        0.0,
-    )
+    body.fullinertia = (kite.inertia_x, kite.inertia_y, kite.inertia_z, 0.0, -kite.inertia_xz, 0.0)
     spec.site("A_plus").pos = (kite.x_A, kite.y_A, kite.z_A)
     spec.site("A_minus").pos = (kite.x_A, -kite.y_A, kite.z_A)
     spec.geom("hull").size = (kite.chord / 2, kite.span / 2, HULL)

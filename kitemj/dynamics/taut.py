@@ -21,15 +21,7 @@ from kitemj.physics.frames import world
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Programme, control, line_motion
-from kitemj.physics.vectors import (
-    Vector,
-    cross,
-    dot,
-    norm,
-    rotated,
-    times,
-    unrotated,
-)
+from kitemj.physics.vectors import Vector, cross, dot, norm, rotated, times, unrotated
 
 SIDES = (1.0, -1.0)
 
