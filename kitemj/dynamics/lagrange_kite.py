@@ -4,15 +4,14 @@ from math import ceil
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
+from kitemj.dynamics.batch import batch_rows, carry_law, present_law
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.lagrange import accelerations, body, spatial
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines
 from kitemj.errors import FlightError
-from kitemj.physics.compiled import compiled
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
@@ -54,11 +53,8 @@ def flown(
     q, v = state
     for i in range(steps):
         start, middle, end = t + i * h, t + (i + 0.5) * h, t + (i + 1) * h
-        c_start, c_middle, c_end = (
-            control(programme, start),
-            control(programme, middle),
-            control(programme, end),
-        )
+        c_start, c_middle = control(programme, start), control(programme, middle)
+        c_end = control(programme, end)
         a1 = accelerations(parameters, c_start, start, q, v).q_ddot
         v2 = _moved(v, h / 2, a1)
         a2 = accelerations(parameters, c_middle, middle, _moved(q, h / 2, v), v2).q_ddot
@@ -108,16 +104,14 @@ class LagrangeSystem(NamedTuple):
 
 
 @compiled
-def state_of(x: NDArray[np.float64]) -> State:
+def state_of(x: Array) -> State:
     """The state of x = (q, q̇), shape (8,)."""
     return State(Angles(x[0], x[1], x[2], x[3]), Angles(x[4], x[5], x[6], x[7]))
 
 
 @system_law.of(LagrangeSystem)
 @compiled
-def rates(
-    system: LagrangeSystem, t: float, x: NDArray[np.float64], out: NDArray[np.float64]
-) -> None:
+def rates(system: LagrangeSystem, t: float, x: Array, out: Array) -> None:
     """d/dt of x = (q, q̇) at time `t` [s], into `out` (8,)."""
     q, v = state_of(x)
     a = accelerations(system.parameters, control(system.programme, t), t, q, v).q_ddot
@@ -140,7 +134,7 @@ def present(flight: LagrangeFlight, t: float) -> Motion:
     return motion_at(flight.parameters, flight.programme, t, state_of(flight.room.x))
 
 
-def derivative(t: float, x: NDArray[np.float64], system: LagrangeSystem) -> NDArray[np.float64]:
+def derivative(t: float, x: Array, system: LagrangeSystem) -> Array:
     """d/dt of x = (q, q̇), (8,), for integrators that want a new array."""
     out = np.empty(8)
     rates(system, t, x, out)
@@ -199,15 +193,9 @@ class LagrangeKite:
         system, x = LagrangeSystem(self.parameters, programme), self._x()
         if not np.isfinite(derivative(self.t, x, system)).all():  # scipy would never return
             raise FlightError(self.name, self.t, "the motion is not a number", [])
+        span, args = (self.t, times[-1]), (system,)
         found = solve_ivp(
-            derivative,
-            (self.t, times[-1]),
-            x,
-            method="DOP853",
-            t_eval=times,
-            rtol=RTOL,
-            atol=TOLERANCE,
-            args=(system,),
+            derivative, span, x, "DOP853", times, args=args, rtol=RTOL, atol=TOLERANCE
         )
         motions: list[Motion] = []
         for self.t, x in zip(found.t.tolist(), found.y.T, strict=True):
@@ -217,17 +205,11 @@ class LagrangeKite:
             raise FlightError(self.name, self.t, found.message, motions)
         return motions
 
-    def batch(
-        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
-    ) -> NDArray[np.float64]:
-        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
-
-        `tolerance` bounds the error of each step in q [rad] and q̇ [rad/s].
-        """
-        rows = np.empty((len(times), TENSIONS + 2))
+    def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
+        """Rows of `batch_rows`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
         flight = LagrangeFlight(self.parameters, programme, room_for(self._x()), tolerance)
-        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
+        return batch_rows(flight, self.parameters, times, touch)
 
-    def _x(self) -> NDArray[np.float64]:
+    def _x(self) -> Array:
         """(q, q̇) in a row, (8,)."""
         return np.array([*self.state.q, *self.state.q_dot])

@@ -10,15 +10,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
-from kitemj.dynamics.engine import Array, Engine, body_of, build, place
+from kitemj.dynamics.batch import batch_rows, carry_law, present_law
+from kitemj.dynamics.engine import Engine, body_of, build, place
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
 from kitemj.dynamics.slack import TAUT, catch, release, run_out, slack_excess
 from kitemj.dynamics.straight import q_ddot_of, state_of, straight_body
 from kitemj.dynamics.taut import evaluate, settle, tensions
 from kitemj.errors import FlightError
-from kitemj.physics.compiled import compiled
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import world
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
@@ -197,9 +197,7 @@ def instant_at(
 def motion_at(engine: Engine, parameters: Parameters, programme: Programme, t: float) -> Motion:
     """All that is asked of one instant; leaves the flight as it was."""
     _keep(engine.softness, engine.softness_before)
-    for _ in range(
-        2
-    ):  # R f is that of the step's last stage: 10⁻⁴, then 10⁻⁸ of its change is left
+    for _ in range(2):  # R f is of the step's last stage: 10⁻⁴, then 10⁻⁸ of its change is left
         evaluate(engine, parameters, programme, t)
     _keep(engine.softness_before, engine.softness)
     body, c = body_of(engine), control(programme, t)
@@ -246,8 +244,6 @@ class MujocoKite:
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
         self.parameters, self.step = parameters, step
         self.t = 0.0
-        self._model: Any
-        self._data: Any
         self._model, self._data, self._engine = build(parameters, step)
 
     def start(self, state: State, programme: Programme) -> None:
@@ -274,9 +270,8 @@ class MujocoKite:
         flown(self._engine, self.parameters, programme, self.t, steps, duration / steps)
         self.t += duration
         if not isfinite(self._engine.qpos[0]):
-            raise FlightError(
-                "mujoco", self.t, "the state is no longer finite; a shorter step may help", []
-            )
+            reason = "the state is no longer finite; a shorter step may help"
+            raise FlightError("mujoco", self.t, reason, [])
 
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
@@ -311,10 +306,6 @@ class MujocoKite:
         return motions
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
-        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
-
-        The steps are the model's own; `tolerance` is for models with error control.
-        """
-        rows = np.empty((len(times), TENSIONS + 2))
+        """Rows of `batch_rows`; in the model's own steps, `tolerance` is for others."""
         flight = MujocoFlight(self._engine, self.parameters, programme, self.step)
-        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
+        return batch_rows(flight, self.parameters, times, touch)

@@ -4,10 +4,9 @@ from math import ceil
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
+from kitemj.dynamics.batch import batch_rows, carry_law, present_law
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
 from kitemj.dynamics.newton_euler import (
@@ -21,15 +20,13 @@ from kitemj.dynamics.newton_euler import (
 )
 from kitemj.dynamics.straight import q_ddot_of, state_of
 from kitemj.errors import FlightError
-from kitemj.physics.compiled import compiled
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Quaternion
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import TWO_LINES
 from kitemj.physics.steering import Control, Programme, Segment, control
 from kitemj.physics.vectors import Vector
-
-Array = NDArray[np.float64]
 
 TOLERANCE = 1e-12
 """Of each of the 13 numbers [m, 1, m/s, rad/s], for one adaptive step."""
@@ -55,10 +52,10 @@ class NewtonEulerFlight(NamedTuple):
 def put(y: Free, x: Array) -> None:
     """The 13 numbers in a row, into `x` (13,)."""
     p, e, v, w = y
-    x[0], x[1], x[2] = p.x, p.y, p.z
-    x[3], x[4], x[5], x[6] = e.w, e.x, e.y, e.z
-    x[7], x[8], x[9] = v.x, v.y, v.z
-    x[10], x[11], x[12] = w.x, w.y, w.z
+    x[0], x[1], x[2] = p
+    x[3], x[4], x[5], x[6] = e
+    x[7], x[8], x[9] = v
+    x[10], x[11], x[12] = w
 
 
 @compiled
@@ -181,16 +178,10 @@ class NewtonEulerKite:
             motions.append(self.motion(programme))
         return motions
 
-    def batch(
-        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
-    ) -> NDArray[np.float64]:
-        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
-
-        `tolerance` bounds the error of each step in each of the 13 numbers.
-        """
-        rows = np.empty((len(times), TENSIONS + 2))
+    def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
+        """Rows of `batch_rows`; `tolerance` of each step in each of the 13 numbers."""
         flight = self._adaptive(programme, tolerance)
-        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
+        return batch_rows(flight, self.parameters, times, touch)
 
     def _adaptive(self, programme: Programme, tolerance: float) -> NewtonEulerFlight:
         x = np.empty(13)
