@@ -105,22 +105,16 @@ def kinematics(kite: Kite, q: Angles, x: Angles, c: Control) -> Kinematics:
     r_theta = Vector(X * st - Z * ct, 0.0, X * ct + Z * st)
     r_theta_theta = Vector(X * ct + Z * st, 0.0, -X * st + Z * ct)
     r_ell, r_ell_delta = Vector(0.0, sd, -cd), Vector(0.0, cd, sd)
-    r_delta, r_delta_delta = (
-        Vector(0.0, c.ell * cd, c.ell * sd),
-        Vector(0.0, -c.ell * sd, c.ell * cd),
-    )
+    r_delta = Vector(0.0, c.ell * cd, c.ell * sd)
+    r_delta_delta = Vector(0.0, -c.ell * sd, c.ell * cd)
     r_dot = plus(
         times(x.theta, r_theta), plus(times(c.ell_dot, r_ell), times(c.delta_dot, r_delta))
     )
 
     # the axes about which φ, γ and η turn (k_E, j_1, i_2), in frame 2, and their derivatives
-    e_phi, e_gamma, e_eta = (
-        Vector(-sg, se * cg, ce * cg),
-        Vector(0.0, ce, -se),
-        Vector(1.0, 0.0, 0.0),
-    )
+    e_phi, e_gamma = Vector(-sg, se * cg, ce * cg), Vector(0.0, ce, -se)
+    e_eta, e_gamma_eta = Vector(1.0, 0.0, 0.0), Vector(0.0, -se, -ce)
     e_phi_gamma, e_phi_eta = Vector(-cg, -se * sg, -ce * sg), Vector(0.0, ce * cg, -se * cg)
-    e_gamma_eta = Vector(0.0, -se, -ce)
     e_phi_dot = plus(times(x.gamma, e_phi_gamma), times(x.eta, e_phi_eta))
     e_gamma_dot = times(x.eta, e_gamma_eta)
     spin = plus(plus(times(x.phi, e_phi), times(x.gamma, e_gamma)), times(x.eta, e_eta))
@@ -230,16 +224,13 @@ def accelerations(
         _mass(kite, U.eta, W.eta, U.theta, W.theta),
         _mass(kite, U.theta, W.theta, U.theta, W.theta),
     )
-    a = solved(
-        mass,
-        Four(
-            f_phi - dot(p_given, U.phi),
-            f_gamma - dot(p_given, U.gamma),
-            f_eta - dot(p_given, U.eta),
-            f_theta - dot(p_given, U.theta),
-        ),
+    force_free = Four(
+        f_phi - dot(p_given, U.phi),
+        f_gamma - dot(p_given, U.gamma),
+        f_eta - dot(p_given, U.eta),
+        f_theta - dot(p_given, U.theta),
     )
-    q_ddot = Angles(a.a, a.b, a.c, a.d)
+    a = solved(mass, force_free)
 
     # rows 5 and 6: -T₊ ∂L₊/∂ℓ - T₋ ∂L₋/∂ℓ and the same by δ
     u_free = plus(
@@ -247,7 +238,7 @@ def accelerations(
     )
     p_dot = times(kite.mass, plus(u_free, u_given))
     Q_ell, Q_delta = dot(p_dot, U.ell) - f_ell, dot(p_dot, U.delta) - f_delta
-    return Accelerations(q_ddot, _tensions(kite.y_A, c, Q_ell, Q_delta))
+    return Accelerations(Angles(a.a, a.b, a.c, a.d), _tensions(kite.y_A, c, Q_ell, Q_delta))
 
 
 @compiled
@@ -289,8 +280,7 @@ def _mass(kite: Kite, U_i: Vector, W_i: Vector, U_j: Vector, W_j: Vector) -> flo
 @compiled
 def _tensions(y_A: float, c: Control, Q_ell: float, Q_delta: float) -> PerLine:
     """Tensions [N] whose virtual work is Q_ℓ dℓ + Q_δ dδ: a line does -T dL."""
-    L_plus = line_motion(y_A, c, 1.0).length
-    L_minus = line_motion(y_A, c, -1.0).length
+    L_plus, L_minus = line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length
     # L± ∂L±/∂ℓ = ℓ ± y_A sin δ, L± ∂L±/∂δ = ±ℓ y_A cos δ
     difference = -Q_delta / (c.ell * y_A * cos(c.delta))  # T₊/L₊ - T₋/L₋
     total = (-Q_ell - y_A * sin(c.delta) * difference) / c.ell  # T₊/L₊ + T₋/L₋

@@ -87,20 +87,19 @@ def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> In
     return Instant(pose, a_G_E, omega_dot_B, q_ddot, tensions, wrench)
 
 
-class LagrangeFlight(NamedTuple):
-    """A flight with error control: x = (q, q̇) in `room`, `tolerance` of a step."""
-
-    parameters: Parameters
-    programme: Programme
-    room: Room
-    tolerance: float
-
-
 class LagrangeSystem(NamedTuple):
     """What the right-hand side depends on."""
 
     parameters: Parameters
     programme: Programme
+
+
+class LagrangeFlight(NamedTuple):
+    """A flight with error control: x = (q, q̇) in `room`, `tolerance` of a step."""
+
+    system: LagrangeSystem
+    room: Room
+    tolerance: float
 
 
 @compiled
@@ -123,22 +122,14 @@ def rates(system: LagrangeSystem, t: float, x: Array, out: Array) -> None:
 @compiled
 def carry(flight: LagrangeFlight, t: float, end: float) -> float:
     """On from time `t` to `end` [s]; the time that was reached."""
-    system = LagrangeSystem(flight.parameters, flight.programme)
-    return carried(system, flight.room, t, end, flight.tolerance)
+    return carried(flight.system, flight.room, t, end, flight.tolerance)
 
 
 @present_law.of(LagrangeFlight)
 @compiled
 def present(flight: LagrangeFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
-    return motion_at(flight.parameters, flight.programme, t, state_of(flight.room.x))
-
-
-def derivative(t: float, x: Array, system: LagrangeSystem) -> Array:
-    """d/dt of x = (q, q̇), (8,), for integrators that want a new array."""
-    out = np.empty(8)
-    rates(system, t, x, out)
-    return out
+    return motion_at(*flight.system, t, state_of(flight.room.x))
 
 
 class LagrangeKite:
@@ -150,8 +141,7 @@ class LagrangeKite:
     name, rigs = "lagrange", (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
-        self.parameters, self.step = parameters, step
-        self.t = 0.0
+        self.parameters, self.step, self.t = parameters, step, 0.0
         self.state = State(Angles(0.0, 0.0, 0.0, 0.0), Angles(0.0, 0.0, 0.0, 0.0))
 
     def start(self, state: State, programme: Programme) -> None:
@@ -160,8 +150,7 @@ class LagrangeKite:
 
     def at(self, state: State, control: Control, t: float) -> Instant:
         """The instant at `state`."""
-        now: Instant = instant_at(self.parameters, control, t, state)
-        return now
+        return instant_at(self.parameters, control, t, state)
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s] in equal Runge-Kutta steps."""
@@ -191,12 +180,16 @@ class LagrangeKite:
         from scipy.integrate import solve_ivp
 
         system, x = LagrangeSystem(self.parameters, programme), self._x()
-        if not np.isfinite(derivative(self.t, x, system)).all():  # scipy would never return
+
+        def derivative(t: float, x: Array) -> Array:
+            out = np.empty(8)
+            rates(system, t, x, out)
+            return out
+
+        if not np.isfinite(derivative(self.t, x)).all():  # scipy would never return
             raise FlightError(self.name, self.t, "the motion is not a number", [])
-        span, args = (self.t, times[-1]), (system,)
-        found = solve_ivp(
-            derivative, span, x, "DOP853", times, args=args, rtol=RTOL, atol=TOLERANCE
-        )
+        span = self.t, times[-1]
+        found = solve_ivp(derivative, span, x, "DOP853", times, rtol=RTOL, atol=TOLERANCE)
         motions: list[Motion] = []
         for self.t, x in zip(found.t.tolist(), found.y.T, strict=True):
             self.state = state_of(np.ascontiguousarray(x))
@@ -207,7 +200,8 @@ class LagrangeKite:
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `batch_rows`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
-        flight = LagrangeFlight(self.parameters, programme, room_for(self._x()), tolerance)
+        system = LagrangeSystem(self.parameters, programme)
+        flight = LagrangeFlight(system, room_for(self._x()), tolerance)
         return batch_rows(flight, self.parameters, times, touch)
 
     def _x(self) -> Array:

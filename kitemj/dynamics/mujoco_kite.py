@@ -100,20 +100,13 @@ def rk4(engine: Engine, parameters: Parameters, programme: Programme, t: float, 
 
 @compiled
 def _runs_out_after(
-    engine: Engine,
-    parameters: Parameters,
-    programme: Programme,
-    t: float,
-    h: float,
-    line: int,
-    before: Array,
-    softness: Array,
+    engine: Engine, parameters: Parameters, programme: Programme, t: float, h: float, line: int
 ) -> float:
     """The part [s] of a step `h` after which slack `line` is just taut; leaves that state.
 
-    Regula falsi, Illinois variant, on the line's excess; each trial is a step from `before`.
+    Regula falsi, Illinois variant, on the line's excess; each trial is one from ``engine.before``.
     """
-    early, late = 0.0, h
+    before, softness, early, late = engine.before, engine.softness_before, 0.0, h
     over_late = slack_excess(engine, parameters, programme, t + h, line)
     _write(engine, before)
     over_early = slack_excess(engine, parameters, programme, t, line)
@@ -142,16 +135,15 @@ def _runs_out_after(
 @compiled
 def step(engine: Engine, parameters: Parameters, programme: Programme, t: float, h: float) -> None:
     """One step of `h` [s], cut where a slack line runs out."""
-    before, softness = engine.before, engine.softness_before
     left, now = h, t
     for catches in range(MAX_CATCHES + 1):
-        _read(engine, before)
-        _keep(engine.softness, softness)
+        _read(engine, engine.before)
+        _keep(engine.softness, engine.softness_before)
         rk4(engine, parameters, programme, now, left)
         line = run_out(engine, parameters, programme, now + left)
         if line < 0 or catches == MAX_CATCHES:
             break
-        part = _runs_out_after(engine, parameters, programme, now, left, line, before, softness)
+        part = _runs_out_after(engine, parameters, programme, now, left, line)
         catch(engine, parameters, programme, now + part, line)
         now, left = now + part, left - part
         if left <= 0.0:
@@ -242,8 +234,7 @@ class MujocoKite:
     name, rigs = "mujoco", (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
-        self.parameters, self.step = parameters, step
-        self.t = 0.0
+        self.parameters, self.step, self.t = parameters, step, 0.0
         self._model, self._data, self._engine = build(parameters, step)
 
     def start(self, state: State, programme: Programme) -> None:
@@ -254,15 +245,14 @@ class MujocoKite:
     def at(self, state: State, control: Control, t: float) -> Instant:
         """The instant at `state`."""
         kept = self.snapshot()
-        now: Instant = instant_at(self._engine, self.parameters, control, t, state)
+        now = instant_at(self._engine, self.parameters, control, t, state)
         self.restore(kept)
         return now
 
     @property
     def state(self) -> State:
         """The present q and q̇."""
-        now: State = state_of(self.parameters, body_of(self._engine))
-        return now
+        return state_of(self.parameters, body_of(self._engine))
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s]; raises FlightError where the numbers leave the finite."""

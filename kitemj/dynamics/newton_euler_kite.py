@@ -42,8 +42,7 @@ class NewtonEulerSystem(NamedTuple):
 class NewtonEulerFlight(NamedTuple):
     """A flight with error control: the 13 numbers in `room`, `tolerance` of a step."""
 
-    parameters: Parameters
-    programme: Programme
+    system: NewtonEulerSystem
     room: Room
     tolerance: float
 
@@ -73,7 +72,7 @@ def free(x: Array) -> Free:
 @compiled
 def put_rates(system: NewtonEulerSystem, t: float, x: Array, out: Array) -> None:
     """d/dt of the 13 numbers `x` at time `t` [s], into `out` (13,)."""
-    put(rates(system.parameters, system.programme, t, free(x)), out)
+    put(rates(*system, t, free(x)), out)
 
 
 @compiled
@@ -99,8 +98,8 @@ def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> In
 @compiled
 def carry(flight: NewtonEulerFlight, t: float, end: float) -> float:
     """On from time `t` to `end` [s] and back on the lines; the time that was reached."""
-    parameters, programme, room, tolerance = flight
-    reached = carried(NewtonEulerSystem(parameters, programme), room, t, end, tolerance)
+    (parameters, programme), room, tolerance = flight
+    reached = carried(flight.system, room, t, end, tolerance)
     put(corrected(parameters, programme, reached, free(room.x)), room.x)
     return reached
 
@@ -109,7 +108,7 @@ def carry(flight: NewtonEulerFlight, t: float, end: float) -> float:
 @compiled
 def present(flight: NewtonEulerFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
-    return motion_of(flight.parameters, flight.programme, t, free(flight.room.x))
+    return motion_of(*flight.system, t, free(flight.room.x))
 
 
 class NewtonEulerKite:
@@ -121,8 +120,7 @@ class NewtonEulerKite:
     name, rigs = "newton-euler", (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
-        self.parameters, self.step = parameters, step
-        self.t = 0.0
+        self.parameters, self.step, self.t = parameters, step, 0.0
         self._y: Free
 
     def start(self, state: State, programme: Programme) -> None:
@@ -132,14 +130,12 @@ class NewtonEulerKite:
 
     def at(self, state: State, control: Control, t: float) -> Instant:
         """The instant at `state`."""
-        now: Instant = instant_at(self.parameters, control, t, state)
-        return now
+        return instant_at(self.parameters, control, t, state)
 
     @property
     def state(self) -> State:
         """The present q and q̇."""
-        now: State = state_of(self.parameters, body_of(self._y))
-        return now
+        return state_of(self.parameters, body_of(self._y))
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s] in equal Runge-Kutta steps, corrected after each."""
@@ -184,6 +180,6 @@ class NewtonEulerKite:
         return batch_rows(flight, self.parameters, times, touch)
 
     def _adaptive(self, programme: Programme, tolerance: float) -> NewtonEulerFlight:
-        x = np.empty(13)
+        system, x = NewtonEulerSystem(self.parameters, programme), np.empty(13)
         put(self._y, x)
-        return NewtonEulerFlight(self.parameters, programme, room_for(x), tolerance)
+        return NewtonEulerFlight(system, room_for(x), tolerance)

@@ -117,19 +117,13 @@ def _flown(scenario: Scenario, reference: Simulation, model: str, step: float) -
     gaps = compare(simulate(scenario, model, step), reference)
     balance = imbalance(scenario.parameters, every_step(scenario, model, step))
     order = min(orders(convergence(scenario, model), ROUNDING), default=nan)
+    between = "between steps of 10 and 2.5 ms"
     return [
         Rung("position", model, gaps.position.value, _limit(POSITION, model), "m"),
         Rung("attitude", model, gaps.attitude.value, _limit(POSITION, model), "rad"),
         Rung("tension in flight", model, gaps.tension.value, TENSION_TOLERANCE, "N"),
         Rung("energy balance", model, balance, _limit(BALANCE, model), "of the energy turned over"),
-        Rung(
-            "order",
-            model,
-            order,
-            _limit(ORDER, model),
-            "between steps of 10 and 2.5 ms",
-            at_least=True,
-        ),
+        Rung("order", model, order, _limit(ORDER, model), between, at_least=True),
     ]
 
 

@@ -11,8 +11,7 @@ import numpy as np
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import aero_law
 from kitemj.physics.checked import checked, in_radians, unknown_key
-from kitemj.physics.kite import Kite, Lines
-from kitemj.physics.parameters import Environment, Limits, Parameters, StickLimits
+from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import RIGS
 from kitemj.physics.wind import Wind, wind_law
 from kitemj.registry import Registry
@@ -44,14 +43,7 @@ KNOWN: dict[str, Mapping[type, Any]] = {
 """What each type must be known to: the formulas of its law, the rigs."""
 NEEDED = {"aero": (), "wind": ("speed", "azimuth"), "lines": ("length", "rigid")}
 """Fields that each type of the section must have."""
-SECTIONS = {
-    "kite": Kite,
-    "lines": Lines,
-    "environment": Environment,
-    "wind": Wind,
-    "limits": Limits,
-    "stick": StickLimits,
-}
+SECTIONS = {name: kind for name, kind in get_type_hints(Parameters).items() if name != "aero"}
 
 
 def set_names() -> list[str]:
