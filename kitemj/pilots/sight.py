@@ -1,4 +1,4 @@
-"""What a pilot on the ground sees of the kite, its place, nose and turns, and what a lesson sees."""
+"""What a pilot on the ground sees of the kite (place, nose, turns), and what a lesson sees."""
 
 from math import atan2, cos, hypot, inf, pi, radians, sin
 from typing import NamedTuple
