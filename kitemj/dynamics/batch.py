@@ -46,13 +46,15 @@ def clearance(chord: float, span: float, p_G_E: Vector, R_BE: Rotation) -> float
 
 
 @compiled
-def batch_rows(flight: Any, parameters: Parameters, times: Array, touch: float) -> Array:
-    """Flies from 0 s through `times` (n,) [s], ascending; a row of columns at each.
+def batch_rows(
+    flight: Any, parameters: Parameters, times: Array, touch: float, lines: int
+) -> Array:
+    """Flies from 0 s through `times` (n,) [s], ascending; a row at each, of a kite on `lines`.
 
     Fewer than n where the numbers left the finite (the next row would be the first that does
     not hold) or where the kite came lower than `touch` [m] (the last row is there).
     """
-    t, kite, rows = 0.0, parameters.kite, np.empty((len(times), TENSIONS + 2))
+    t, kite, rows = 0.0, parameters.kite, np.empty((len(times), TENSIONS + lines))
     for i in range(len(times)):
         if times[i] > t:
             if carry(flight, t, times[i]) < times[i]:

@@ -202,7 +202,7 @@ class LagrangeKite:
         """Rows of `batch_rows`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
         system = LagrangeSystem(self.parameters, programme)
         flight = LagrangeFlight(system, room_for(self._x()), tolerance)
-        return batch_rows(flight, self.parameters, times, touch)
+        return batch_rows(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
     def _x(self) -> Array:
         """(q, q̇) in a row, (8,)."""

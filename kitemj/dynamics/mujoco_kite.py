@@ -298,4 +298,4 @@ class MujocoKite:
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `batch_rows`; in the model's own steps, `tolerance` is for others."""
         flight = MujocoFlight(self._engine, self.parameters, programme, self.step)
-        return batch_rows(flight, self.parameters, times, touch)
+        return batch_rows(flight, self.parameters, times, touch, len(TWO_LINES.lines))

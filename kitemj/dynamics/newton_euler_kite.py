@@ -177,7 +177,7 @@ class NewtonEulerKite:
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `batch_rows`; `tolerance` of each step in each of the 13 numbers."""
         flight = self._adaptive(programme, tolerance)
-        return batch_rows(flight, self.parameters, times, touch)
+        return batch_rows(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
     def _adaptive(self, programme: Programme, tolerance: float) -> NewtonEulerFlight:
         system, x = NewtonEulerSystem(self.parameters, programme), np.empty(13)

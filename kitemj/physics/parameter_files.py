@@ -11,6 +11,7 @@ import numpy as np
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import aero_law
 from kitemj.physics.checked import checked, in_radians, unknown_key
+from kitemj.physics.kite import Lines
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import RIGS
 from kitemj.physics.wind import Wind, wind_law
