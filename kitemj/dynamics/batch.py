@@ -46,9 +46,7 @@ def clearance(chord: float, span: float, p_G_E: Vector, R_BE: Rotation) -> float
 
 
 @compiled
-def batch_rows(
-    flight: Any, parameters: Parameters, times: Array, touch: float, lines: int
-) -> Array:
+def rows_at(flight: Any, parameters: Parameters, times: Array, touch: float, lines: int) -> Array:
     """Flies from 0 s through `times` (n,) [s], ascending; a row at each, of a kite on `lines`.
 
     Fewer than n where the numbers left the finite (the next row would be the first that does

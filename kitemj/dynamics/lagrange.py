@@ -181,10 +181,10 @@ def accelerations(
 ) -> Accelerations:
     """q̈ and tensions at `q` [rad], `q_dot` [rad/s], control `c` and time `t` [s]."""
     kite = parameters.kite
-    k = kinematics(kite, q, q_dot, c)
-    U, W, R_2 = k.U, k.W, R_2E(q)
+    r, u, w, U, U_dot, u_x, W, W_dot, w_x = kinematics(kite, q, q_dot, c)
+    R_2 = R_2E(q)
     R_2B: Rotation = R_B2(q.theta)  # rows: axes of B in 2
-    state = Body(unrotated(R_2, k.r), product(R_2B, R_2), unrotated(R_2, k.u), k.w)
+    state = Body(unrotated(R_2, r), product(R_2B, R_2), unrotated(R_2, u), w)
     wrench = aerodynamic_wrench(parameters, state.p_G_E, state.R_BE, state.v_G_E, state.omega_B, t)
 
     # weight acts along k_E, whose components in 2 are the axis that φ turns about
@@ -193,21 +193,15 @@ def accelerations(
     force = plus(unrotated(R_2B, wrench.force), weight)
 
     # what does not multiply ẍ: f = Q - h, with momentum p = m u and spin s = I w
-    p, s = times(kite.mass, k.u), _inertia(kite, k.w)
-    f_u = minus(force, times(kite.mass, _sum(k.U_dot, q_dot, c)))
-    f_w = minus(wrench.moment, _inertia(kite, _sum(k.W_dot, q_dot, c)))
-    f_phi = _row(f_u, f_w, p, s, U.phi, W.phi, k.U_dot.phi, k.W_dot.phi, k.u_x.phi, k.w_x.phi)
-    f_gamma = _row(
-        f_u, f_w, p, s, U.gamma, W.gamma, k.U_dot.gamma, k.W_dot.gamma, k.u_x.gamma, k.w_x.gamma
-    )
-    f_eta = _row(f_u, f_w, p, s, U.eta, W.eta, k.U_dot.eta, k.W_dot.eta, k.u_x.eta, k.w_x.eta)
-    f_theta = _row(
-        f_u, f_w, p, s, U.theta, W.theta, k.U_dot.theta, k.W_dot.theta, k.u_x.theta, k.w_x.theta
-    )
-    f_ell = _row(f_u, f_w, p, s, U.ell, W.ell, k.U_dot.ell, k.W_dot.ell, k.u_x.ell, k.w_x.ell)
-    f_delta = _row(
-        f_u, f_w, p, s, U.delta, W.delta, k.U_dot.delta, k.W_dot.delta, k.u_x.delta, k.w_x.delta
-    )
+    p, s = times(kite.mass, u), _inertia(kite, w)
+    f_u = minus(force, times(kite.mass, _sum(U_dot, q_dot, c)))
+    f_w = minus(wrench.moment, _inertia(kite, _sum(W_dot, q_dot, c)))
+    f_phi = _row(f_u, f_w, p, s, U.phi, W.phi, U_dot.phi, W_dot.phi, u_x.phi, w_x.phi)
+    f_gamma = _row(f_u, f_w, p, s, U.gamma, W.gamma, U_dot.gamma, W_dot.gamma, u_x.gamma, w_x.gamma)
+    f_eta = _row(f_u, f_w, p, s, U.eta, W.eta, U_dot.eta, W_dot.eta, u_x.eta, w_x.eta)
+    f_theta = _row(f_u, f_w, p, s, U.theta, W.theta, U_dot.theta, W_dot.theta, u_x.theta, w_x.theta)
+    f_ell = _row(f_u, f_w, p, s, U.ell, W.ell, U_dot.ell, W_dot.ell, u_x.ell, w_x.ell)
+    f_delta = _row(f_u, f_w, p, s, U.delta, W.delta, U_dot.delta, W_dot.delta, u_x.delta, w_x.delta)
 
     # ẍ: the prescribed part first, then q̈ from rows 1-4
     u_given = plus(times(c.ell_ddot, U.ell), times(c.delta_ddot, U.delta))

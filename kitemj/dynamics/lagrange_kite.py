@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.batch import batch_rows, carry_law, present_law
+from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.lagrange import accelerations, body, spatial
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines
@@ -129,7 +129,8 @@ def carry(flight: LagrangeFlight, t: float, end: float) -> float:
 @compiled
 def present(flight: LagrangeFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
-    return motion_at(*flight.system, t, state_of(flight.room.x))
+    parameters, programme = flight.system
+    return motion_at(parameters, programme, t, state_of(flight.room.x))
 
 
 class LagrangeKite:
@@ -199,10 +200,10 @@ class LagrangeKite:
         return motions
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
-        """Rows of `batch_rows`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
+        """Rows of `rows_at`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
         system = LagrangeSystem(self.parameters, programme)
         flight = LagrangeFlight(system, room_for(self._x()), tolerance)
-        return batch_rows(flight, self.parameters, times, touch, len(TWO_LINES.lines))
+        return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
     def _x(self) -> Array:
         """(q, q̇) in a row, (8,)."""

@@ -108,10 +108,8 @@ def attachment_velocity_E(parameters: Parameters, body: Body, side: float) -> Ve
 @compiled
 def angles_of(parameters: Parameters, body: Body) -> Angles:
     """q [rad] of a pose; exact while both lines are straight."""
-    middle = times(
-        0.5, plus(attachment_E(parameters, body, 1.0), attachment_E(parameters, body, -1.0))
-    )
-    return angles(body.R_BE, middle)
+    A_plus, A_minus = attachment_E(parameters, body, 1.0), attachment_E(parameters, body, -1.0)
+    return angles(body.R_BE, times(0.5, plus(A_plus, A_minus)))
 
 
 @compiled

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.dynamics.batch import batch_rows, carry_law, present_law
+from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.engine import Engine, body_of, build, place
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
@@ -296,6 +296,6 @@ class MujocoKite:
         return motions
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
-        """Rows of `batch_rows`; in the model's own steps, `tolerance` is for others."""
+        """Rows of `rows_at`; in the model's own steps, `tolerance` is for others."""
         flight = MujocoFlight(self._engine, self.parameters, programme, self.step)
-        return batch_rows(flight, self.parameters, times, touch, len(TWO_LINES.lines))
+        return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))

@@ -86,10 +86,8 @@ def spin(kite: Kite, omega_B: Vector) -> Vector:
 def unspin(kite: Kite, moment_B: Vector) -> Vector:
     """I⁻¹ M: the inverse of `spin`."""
     I_x, I_z, I_xz = kite.inertia_x, kite.inertia_z, kite.inertia_xz
-    M, det = moment_B, I_x * I_z - I_xz * I_xz
-    return Vector(
-        (I_z * M.x + I_xz * M.z) / det, M.y / kite.inertia_y, (I_xz * M.x + I_x * M.z) / det
-    )
+    M, I_y, det = moment_B, kite.inertia_y, I_x * I_z - I_xz * I_xz
+    return Vector((I_z * M.x + I_xz * M.z) / det, M.y / I_y, (I_xz * M.x + I_x * M.z) / det)
 
 
 @compiled

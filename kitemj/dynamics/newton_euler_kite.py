@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.batch import batch_rows, carry_law, present_law
+from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
 from kitemj.dynamics.newton_euler import (
@@ -72,7 +72,7 @@ def free(x: Array) -> Free:
 @compiled
 def put_rates(system: NewtonEulerSystem, t: float, x: Array, out: Array) -> None:
     """d/dt of the 13 numbers `x` at time `t` [s], into `out` (13,)."""
-    put(rates(*system, t, free(x)), out)
+    put(rates(system.parameters, system.programme, t, free(x)), out)
 
 
 @compiled
@@ -108,7 +108,7 @@ def carry(flight: NewtonEulerFlight, t: float, end: float) -> float:
 @compiled
 def present(flight: NewtonEulerFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
-    return motion_of(*flight.system, t, free(flight.room.x))
+    return motion_of(flight.system.parameters, flight.system.programme, t, free(flight.room.x))
 
 
 class NewtonEulerKite:
@@ -175,9 +175,9 @@ class NewtonEulerKite:
         return motions
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
-        """Rows of `batch_rows`; `tolerance` of each step in each of the 13 numbers."""
+        """Rows of `rows_at`; `tolerance` of each step in each of the 13 numbers."""
         flight = self._adaptive(programme, tolerance)
-        return batch_rows(flight, self.parameters, times, touch, len(TWO_LINES.lines))
+        return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
     def _adaptive(self, programme: Programme, tolerance: float) -> NewtonEulerFlight:
         system, x = NewtonEulerSystem(self.parameters, programme), np.empty(13)

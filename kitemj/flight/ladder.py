@@ -68,7 +68,7 @@ def ladder(scenario: Scenario, step: float = DEFAULT_STEP) -> list[Rung]:
     reference, instants = simulate(scenario, REFERENCE), _instants(scenario)
     rungs = []
     for model in reversed([name for name in MODELS if name != REFERENCE]):
-        rungs += _instantaneous(scenario, instants, model)
+        rungs += _at_instants(scenario, instants, model)
         rungs += _flown(scenario, reference, model, step)
     return rungs
 
@@ -92,9 +92,7 @@ def _instants(scenario: Scenario) -> list[tuple[float, State]]:
     return found
 
 
-def _instantaneous(
-    scenario: Scenario, instants: list[tuple[float, State]], model: str
-) -> list[Rung]:
+def _at_instants(scenario: Scenario, instants: list[tuple[float, State]], model: str) -> list[Rung]:
     """Accelerations and tensions from one and the same pose, velocity and control."""
     parameters, programme = scenario.parameters, scenario.programme
     kite, reference = make_model(model, parameters), make_model(REFERENCE, parameters)

@@ -36,11 +36,7 @@ LAWS = {"aero": AERO_LAWS, "wind": WINDS, "lines": LINES}
 """Sections that hold one of several types of numbers; the first is meant where none is named."""
 NAMED_BY = {"aero": "law", "wind": "law", "lines": "kind"}
 """Under which key the type is named."""
-KNOWN: dict[str, Mapping[type, Any]] = {
-    "aero": aero_law.formulas,
-    "wind": wind_law.formulas,
-    "lines": RIGS,
-}
+KNOWN: dict[str, Any] = {"aero": aero_law.formulas, "wind": wind_law.formulas, "lines": RIGS}
 """What each type must be known to: the formulas of its law, the rigs."""
 NEEDED = {"aero": (), "wind": ("speed", "azimuth"), "lines": ("length", "rigid")}
 """Fields that each type of the section must have."""

@@ -8,10 +8,7 @@ done. Written, as the pilots are, for the set `sport` in 5 to 8 m/s.
 from math import radians
 from typing import NamedTuple
 
-from kitemj.pilots.sight import Observation, turned
-
-LEFT, RIGHT = -1.0, 1.0
-WORDS = {LEFT: "left", RIGHT: "right"}
+from kitemj.pilots.sight import LEFT, RIGHT, WORDS, Observation, turned
 
 LONG = 0.8
 """s; a stick held nearly full for so long is a loop, and after that the ground."""

@@ -7,6 +7,9 @@ from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.crash import Touch
 
+LEFT, RIGHT = -1.0, 1.0
+WORDS = {LEFT: "left", RIGHT: "right"}
+
 UPRIGHT = radians(30.0)
 THOUGHT = 1.0
 """s; from seeing that it goes wrong to the stick on the other side."""
