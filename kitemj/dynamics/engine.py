@@ -16,11 +16,16 @@ from kitemj.physics.frames import Quaternion, R_BE_of, quaternion, world, world_
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector
 
-# the symbols of the very library that mujoco loaded are made known to compiled code
-_folder = Path(str(mujoco.__file__)).parent
-_names = ("libmujoco.so*", "libmujoco*.dylib", "mujoco.dll")
-_library = next(file for name in _names for file in sorted(_folder.glob(name)))
-llvm.load_library_permanently(str(_library))
+
+def _load_library() -> None:
+    """Makes the symbols of the very library that mujoco loaded known to compiled code."""
+    folder = Path(str(mujoco.__file__)).parent
+    names = ("libmujoco.so*", "libmujoco*.dylib", "mujoco.dll")
+    library = next(file for name in names for file in sorted(folder.glob(name)))
+    llvm.load_library_permanently(str(library))
+
+
+_load_library()
 
 
 def _engine_function(name: str) -> Any:
