@@ -10,12 +10,9 @@ from math import isfinite, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import DOP853
 
-from kitemj.physics.compiled import compiled, law
-
-Array = NDArray[np.float64]
+from kitemj.physics.compiled import Array, compiled, law
 
 STAGES = 12
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0

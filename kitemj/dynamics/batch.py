@@ -8,14 +8,11 @@ from math import isfinite
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import HULL, Motion
-from kitemj.physics.compiled import compiled, law
+from kitemj.physics.compiled import Array, compiled, law
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Rotation, Vector, plus, unrotated
-
-Array = NDArray[np.float64]
 
 X, Y, Z, ALPHA, BETA, CLEARANCE, TENSIONS = range(7)
 """Columns: G [m, E], angles [rad], lowest corner above ground [m]; from the last on what each
@@ -43,35 +40,33 @@ def clearance(chord: float, span: float, p_G_E: Vector, R_BE: Rotation) -> float
     for a in (-0.5, 0.5):
         for b in (-0.5, 0.5):
             for c in (-HULL, HULL):
-                corner_B = Vector(a * chord, b * span, c)
-                height = -plus(p_G_E, unrotated(R_BE, corner_B)).z
-                lowest = min(lowest, height)
+                corner = plus(p_G_E, unrotated(R_BE, Vector(a * chord, b * span, c)))
+                lowest = min(lowest, -corner.z)
     return lowest
 
 
 @compiled
-def fill_rows(flight: Any, parameters: Parameters, times: Array, touch: float, rows: Array) -> int:
-    """Flies from 0 s through `times` (n,) [s], ascending; fills `rows` (n, columns).
+def rows_at(flight: Any, parameters: Parameters, times: Array, touch: float, lines: int) -> Array:
+    """Flies from 0 s through `times` (n,) [s], ascending; a row at each, of a kite on `lines`.
 
-    Returns how many rows hold: fewer than n where the numbers left the finite (the next row
-    is the first that does not hold) or where the kite came lower than `touch` [m] (the last
-    row that holds is there).
+    Fewer than n where the numbers left the finite (the next row would be the first that does
+    not hold) or where the kite came lower than `touch` [m] (the last row is there).
     """
-    t, kite = 0.0, parameters.kite
+    t, kite, rows = 0.0, parameters.kite, np.empty((len(times), TENSIONS + lines))
     for i in range(len(times)):
         if times[i] > t:
             if carry(flight, t, times[i]) < times[i]:
-                return i
+                return rows[:i]
             t = times[i]
         motion = present(flight, t)
         row, body = rows[i], motion.body
-        row[X], row[Y], row[Z] = body.p_G_E.x, body.p_G_E.y, body.p_G_E.z
+        row[X], row[Y], row[Z] = body.p_G_E
         for k in range(len(motion.lines)):
             row[TENSIONS + k] = motion.lines[k].tension_kite
         row[ALPHA], row[BETA] = motion.air.alpha, motion.air.beta
         row[CLEARANCE] = clearance(kite.chord, kite.span, body.p_G_E, body.R_BE)
         if not (isfinite(row[X]) and isfinite(row[TENSIONS])):
-            return i
+            return rows[:i]
         if row[CLEARANCE] < touch:
-            return i + 1
-    return len(times)
+            return rows[: i + 1]
+    return rows

@@ -11,12 +11,10 @@ from numpy.typing import NDArray
 from kitemj.data_files import model_file
 from kitemj.dynamics.motion import HULL, Body
 from kitemj.mujoco_import import mujoco
-from kitemj.physics.compiled import compiled
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Quaternion, R_BE_of, quaternion, world, world_quaternion
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector
-
-Array = NDArray[np.float64]
 
 
 def _load_library() -> None:
@@ -108,14 +106,7 @@ def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
     body = spec.body("kite")
     body.pos = (-0.4 * length, 0.0, 0.9 * length)
     body.mass = kite.mass
-    body.fullinertia = (
-        kite.inertia_x,
-        kite.inertia_y,
-        kite.inertia_z,
-        0.0,
-        -kite.inertia_xz,
-        0.0,
-    )
+    body.fullinertia = (kite.inertia_x, kite.inertia_y, kite.inertia_z, 0.0, -kite.inertia_xz, 0.0)
     spec.site("A_plus").pos = (kite.x_A, kite.y_A, kite.z_A)
     spec.site("A_minus").pos = (kite.x_A, -kite.y_A, kite.z_A)
     spec.geom("hull").size = (kite.chord / 2, kite.span / 2, HULL)
@@ -127,27 +118,12 @@ def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
     mujoco.mj_forward(model, data)
     K, b, impedance, _ = data.efc_KBIP[:2].T
     engine = Engine(
-        model._address,
-        data._address,
-        data.qpos,
-        data.qvel,
-        data.qacc,
-        data.qacc_smooth,
-        data.qfrc_applied,
-        data.eq_active.view(np.uint8),
-        model.eq_data,
-        data.ten_length,
-        data.ten_velocity,
-        model.tendon_length0,
-        K * impedance,
-        b.copy(),
-        data.efc_R[:2].copy(),
-        np.zeros(2),
-        np.zeros(13),
-        np.zeros(13),
-        np.zeros(13),
-        np.zeros(13),
-        np.zeros(2),
+        *(model._address, data._address),
+        *(data.qpos, data.qvel, data.qacc, data.qacc_smooth, data.qfrc_applied),
+        *(data.eq_active.view(np.uint8), model.eq_data),
+        *(data.ten_length, data.ten_velocity, model.tendon_length0),
+        *(K * impedance, b.copy(), data.efc_R[:2].copy(), np.zeros(2)),
+        *(np.zeros(13), np.zeros(13), np.zeros(13), np.zeros(13), np.zeros(2)),
     )
     return model, data, engine
 
@@ -170,7 +146,7 @@ def body_of(engine: Engine) -> Body:
 def place(engine: Engine, body: Body) -> None:
     """Puts the kite where `body` is, moving as it moves."""
     p, v, e = world(body.p_G_E), world(body.v_G_E), world_quaternion(quaternion(body.R_BE))
-    engine.qpos[0], engine.qpos[1], engine.qpos[2] = p.x, p.y, p.z
-    engine.qpos[3], engine.qpos[4], engine.qpos[5], engine.qpos[6] = e.w, e.x, e.y, e.z
-    engine.qvel[0], engine.qvel[1], engine.qvel[2] = v.x, v.y, v.z
+    engine.qpos[0], engine.qpos[1], engine.qpos[2] = p
+    engine.qpos[3], engine.qpos[4], engine.qpos[5], engine.qpos[6] = e
+    engine.qvel[0], engine.qvel[1], engine.qvel[2] = v
     engine.qvel[3], engine.qvel[4], engine.qvel[5] = body.omega_B

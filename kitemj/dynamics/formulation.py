@@ -8,10 +8,8 @@ from kitemj.errors import InputError
 from kitemj.registry import Registry
 
 if TYPE_CHECKING:  # the command line lists the models before anything heavy is loaded
-    import numpy as np
-    from numpy.typing import NDArray
-
     from kitemj.dynamics.motion import Body, Motion, Snapshot, State
+    from kitemj.physics.compiled import Array
     from kitemj.physics.frames import Angles
     from kitemj.physics.loads import Wrench
     from kitemj.physics.parameters import Parameters
@@ -79,9 +77,7 @@ class Model(Protocol):
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
         """The motion at each of `times` [s], ascending, not before now; the last becomes now."""
 
-    def batch(
-        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
-    ) -> NDArray[np.float64]:
+    def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """The flight from its start through `times` (n,) [s] at one go: rows of `batch.py`.
 
         Fewer than n where it leaves the finite or comes lower than `touch` [m].

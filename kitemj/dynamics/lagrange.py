@@ -105,22 +105,16 @@ def kinematics(kite: Kite, q: Angles, x: Angles, c: Control) -> Kinematics:
     r_theta = Vector(X * st - Z * ct, 0.0, X * ct + Z * st)
     r_theta_theta = Vector(X * ct + Z * st, 0.0, -X * st + Z * ct)
     r_ell, r_ell_delta = Vector(0.0, sd, -cd), Vector(0.0, cd, sd)
-    r_delta, r_delta_delta = (
-        Vector(0.0, c.ell * cd, c.ell * sd),
-        Vector(0.0, -c.ell * sd, c.ell * cd),
-    )
+    r_delta = Vector(0.0, c.ell * cd, c.ell * sd)
+    r_delta_delta = Vector(0.0, -c.ell * sd, c.ell * cd)
     r_dot = plus(
         times(x.theta, r_theta), plus(times(c.ell_dot, r_ell), times(c.delta_dot, r_delta))
     )
 
     # the axes about which φ, γ and η turn (k_E, j_1, i_2), in frame 2, and their derivatives
-    e_phi, e_gamma, e_eta = (
-        Vector(-sg, se * cg, ce * cg),
-        Vector(0.0, ce, -se),
-        Vector(1.0, 0.0, 0.0),
-    )
+    e_phi, e_gamma = Vector(-sg, se * cg, ce * cg), Vector(0.0, ce, -se)
+    e_eta, e_gamma_eta = Vector(1.0, 0.0, 0.0), Vector(0.0, -se, -ce)
     e_phi_gamma, e_phi_eta = Vector(-cg, -se * sg, -ce * sg), Vector(0.0, ce * cg, -se * cg)
-    e_gamma_eta = Vector(0.0, -se, -ce)
     e_phi_dot = plus(times(x.gamma, e_phi_gamma), times(x.eta, e_phi_eta))
     e_gamma_dot = times(x.eta, e_gamma_eta)
     spin = plus(plus(times(x.phi, e_phi), times(x.gamma, e_gamma)), times(x.eta, e_eta))
@@ -187,10 +181,10 @@ def accelerations(
 ) -> Accelerations:
     """q̈ and tensions at `q` [rad], `q_dot` [rad/s], control `c` and time `t` [s]."""
     kite = parameters.kite
-    k = kinematics(kite, q, q_dot, c)
-    U, W, R_2 = k.U, k.W, R_2E(q)
+    r, u, w, U, U_dot, u_x, W, W_dot, w_x = kinematics(kite, q, q_dot, c)
+    R_2 = R_2E(q)
     R_2B: Rotation = R_B2(q.theta)  # rows: axes of B in 2
-    state = Body(unrotated(R_2, k.r), product(R_2B, R_2), unrotated(R_2, k.u), k.w)
+    state = Body(unrotated(R_2, r), product(R_2B, R_2), unrotated(R_2, u), w)
     wrench = aerodynamic_wrench(parameters, state.p_G_E, state.R_BE, state.v_G_E, state.omega_B, t)
 
     # weight acts along k_E, whose components in 2 are the axis that φ turns about
@@ -199,21 +193,15 @@ def accelerations(
     force = plus(unrotated(R_2B, wrench.force), weight)
 
     # what does not multiply ẍ: f = Q - h, with momentum p = m u and spin s = I w
-    p, s = times(kite.mass, k.u), _inertia(kite, k.w)
-    f_u = minus(force, times(kite.mass, _sum(k.U_dot, q_dot, c)))
-    f_w = minus(wrench.moment, _inertia(kite, _sum(k.W_dot, q_dot, c)))
-    f_phi = _row(f_u, f_w, p, s, U.phi, W.phi, k.U_dot.phi, k.W_dot.phi, k.u_x.phi, k.w_x.phi)
-    f_gamma = _row(
-        f_u, f_w, p, s, U.gamma, W.gamma, k.U_dot.gamma, k.W_dot.gamma, k.u_x.gamma, k.w_x.gamma
-    )
-    f_eta = _row(f_u, f_w, p, s, U.eta, W.eta, k.U_dot.eta, k.W_dot.eta, k.u_x.eta, k.w_x.eta)
-    f_theta = _row(
-        f_u, f_w, p, s, U.theta, W.theta, k.U_dot.theta, k.W_dot.theta, k.u_x.theta, k.w_x.theta
-    )
-    f_ell = _row(f_u, f_w, p, s, U.ell, W.ell, k.U_dot.ell, k.W_dot.ell, k.u_x.ell, k.w_x.ell)
-    f_delta = _row(
-        f_u, f_w, p, s, U.delta, W.delta, k.U_dot.delta, k.W_dot.delta, k.u_x.delta, k.w_x.delta
-    )
+    p, s = times(kite.mass, u), _inertia(kite, w)
+    f_u = minus(force, times(kite.mass, _sum(U_dot, q_dot, c)))
+    f_w = minus(wrench.moment, _inertia(kite, _sum(W_dot, q_dot, c)))
+    f_phi = _row(f_u, f_w, p, s, U.phi, W.phi, U_dot.phi, W_dot.phi, u_x.phi, w_x.phi)
+    f_gamma = _row(f_u, f_w, p, s, U.gamma, W.gamma, U_dot.gamma, W_dot.gamma, u_x.gamma, w_x.gamma)
+    f_eta = _row(f_u, f_w, p, s, U.eta, W.eta, U_dot.eta, W_dot.eta, u_x.eta, w_x.eta)
+    f_theta = _row(f_u, f_w, p, s, U.theta, W.theta, U_dot.theta, W_dot.theta, u_x.theta, w_x.theta)
+    f_ell = _row(f_u, f_w, p, s, U.ell, W.ell, U_dot.ell, W_dot.ell, u_x.ell, w_x.ell)
+    f_delta = _row(f_u, f_w, p, s, U.delta, W.delta, U_dot.delta, W_dot.delta, u_x.delta, w_x.delta)
 
     # ẍ: the prescribed part first, then q̈ from rows 1-4
     u_given = plus(times(c.ell_ddot, U.ell), times(c.delta_ddot, U.delta))
@@ -230,16 +218,13 @@ def accelerations(
         _mass(kite, U.eta, W.eta, U.theta, W.theta),
         _mass(kite, U.theta, W.theta, U.theta, W.theta),
     )
-    a = solved(
-        mass,
-        Four(
-            f_phi - dot(p_given, U.phi),
-            f_gamma - dot(p_given, U.gamma),
-            f_eta - dot(p_given, U.eta),
-            f_theta - dot(p_given, U.theta),
-        ),
+    force_free = Four(
+        f_phi - dot(p_given, U.phi),
+        f_gamma - dot(p_given, U.gamma),
+        f_eta - dot(p_given, U.eta),
+        f_theta - dot(p_given, U.theta),
     )
-    q_ddot = Angles(a.a, a.b, a.c, a.d)
+    a = solved(mass, force_free)
 
     # rows 5 and 6: -T₊ ∂L₊/∂ℓ - T₋ ∂L₋/∂ℓ and the same by δ
     u_free = plus(
@@ -247,7 +232,7 @@ def accelerations(
     )
     p_dot = times(kite.mass, plus(u_free, u_given))
     Q_ell, Q_delta = dot(p_dot, U.ell) - f_ell, dot(p_dot, U.delta) - f_delta
-    return Accelerations(q_ddot, _tensions(kite.y_A, c, Q_ell, Q_delta))
+    return Accelerations(Angles(a.a, a.b, a.c, a.d), _tensions(kite.y_A, c, Q_ell, Q_delta))
 
 
 @compiled
@@ -289,8 +274,7 @@ def _mass(kite: Kite, U_i: Vector, W_i: Vector, U_j: Vector, W_j: Vector) -> flo
 @compiled
 def _tensions(y_A: float, c: Control, Q_ell: float, Q_delta: float) -> PerLine:
     """Tensions [N] whose virtual work is Q_ℓ dℓ + Q_δ dδ: a line does -T dL."""
-    L_plus = line_motion(y_A, c, 1.0).length
-    L_minus = line_motion(y_A, c, -1.0).length
+    L_plus, L_minus = line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length
     # L± ∂L±/∂ℓ = ℓ ± y_A sin δ, L± ∂L±/∂δ = ±ℓ y_A cos δ
     difference = -Q_delta / (c.ell * y_A * cos(c.delta))  # T₊/L₊ - T₋/L₋
     total = (-Q_ell - y_A * sin(c.delta) * difference) / c.ell  # T₊/L₊ + T₋/L₋

@@ -4,15 +4,14 @@ from math import ceil
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
+from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.lagrange import accelerations, body, spatial
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines
 from kitemj.errors import FlightError
-from kitemj.physics.compiled import compiled
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
@@ -54,11 +53,8 @@ def flown(
     q, v = state
     for i in range(steps):
         start, middle, end = t + i * h, t + (i + 0.5) * h, t + (i + 1) * h
-        c_start, c_middle, c_end = (
-            control(programme, start),
-            control(programme, middle),
-            control(programme, end),
-        )
+        c_start, c_middle = control(programme, start), control(programme, middle)
+        c_end = control(programme, end)
         a1 = accelerations(parameters, c_start, start, q, v).q_ddot
         v2 = _moved(v, h / 2, a1)
         a2 = accelerations(parameters, c_middle, middle, _moved(q, h / 2, v), v2).q_ddot
@@ -91,15 +87,6 @@ def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> In
     return Instant(pose, a_G_E, omega_dot_B, q_ddot, tensions, wrench)
 
 
-class LagrangeFlight(NamedTuple):
-    """A flight with error control: x = (q, q̇) in `room`, `tolerance` of a step."""
-
-    parameters: Parameters
-    programme: Programme
-    room: Room
-    tolerance: float
-
-
 class LagrangeSystem(NamedTuple):
     """What the right-hand side depends on."""
 
@@ -107,17 +94,23 @@ class LagrangeSystem(NamedTuple):
     programme: Programme
 
 
+class LagrangeFlight(NamedTuple):
+    """A flight with error control: x = (q, q̇) in `room`, `tolerance` of a step."""
+
+    system: LagrangeSystem
+    room: Room
+    tolerance: float
+
+
 @compiled
-def state_of(x: NDArray[np.float64]) -> State:
+def state_of(x: Array) -> State:
     """The state of x = (q, q̇), shape (8,)."""
     return State(Angles(x[0], x[1], x[2], x[3]), Angles(x[4], x[5], x[6], x[7]))
 
 
 @system_law.of(LagrangeSystem)
 @compiled
-def rates(
-    system: LagrangeSystem, t: float, x: NDArray[np.float64], out: NDArray[np.float64]
-) -> None:
+def rates(system: LagrangeSystem, t: float, x: Array, out: Array) -> None:
     """d/dt of x = (q, q̇) at time `t` [s], into `out` (8,)."""
     q, v = state_of(x)
     a = accelerations(system.parameters, control(system.programme, t), t, q, v).q_ddot
@@ -129,22 +122,15 @@ def rates(
 @compiled
 def carry(flight: LagrangeFlight, t: float, end: float) -> float:
     """On from time `t` to `end` [s]; the time that was reached."""
-    system = LagrangeSystem(flight.parameters, flight.programme)
-    return carried(system, flight.room, t, end, flight.tolerance)
+    return carried(flight.system, flight.room, t, end, flight.tolerance)
 
 
 @present_law.of(LagrangeFlight)
 @compiled
 def present(flight: LagrangeFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
-    return motion_at(flight.parameters, flight.programme, t, state_of(flight.room.x))
-
-
-def derivative(t: float, x: NDArray[np.float64], system: LagrangeSystem) -> NDArray[np.float64]:
-    """d/dt of x = (q, q̇), (8,), for integrators that want a new array."""
-    out = np.empty(8)
-    rates(system, t, x, out)
-    return out
+    parameters, programme = flight.system
+    return motion_at(parameters, programme, t, state_of(flight.room.x))
 
 
 class LagrangeKite:
@@ -156,8 +142,7 @@ class LagrangeKite:
     name, rigs = "lagrange", (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
-        self.parameters, self.step = parameters, step
-        self.t = 0.0
+        self.parameters, self.step, self.t = parameters, step, 0.0
         self.state = State(Angles(0.0, 0.0, 0.0, 0.0), Angles(0.0, 0.0, 0.0, 0.0))
 
     def start(self, state: State, programme: Programme) -> None:
@@ -166,8 +151,7 @@ class LagrangeKite:
 
     def at(self, state: State, control: Control, t: float) -> Instant:
         """The instant at `state`."""
-        now: Instant = instant_at(self.parameters, control, t, state)
-        return now
+        return instant_at(self.parameters, control, t, state)
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s] in equal Runge-Kutta steps."""
@@ -197,18 +181,16 @@ class LagrangeKite:
         from scipy.integrate import solve_ivp
 
         system, x = LagrangeSystem(self.parameters, programme), self._x()
-        if not np.isfinite(derivative(self.t, x, system)).all():  # scipy would never return
+
+        def derivative(t: float, x: Array) -> Array:
+            out = np.empty(8)
+            rates(system, t, x, out)
+            return out
+
+        if not np.isfinite(derivative(self.t, x)).all():  # scipy would never return
             raise FlightError(self.name, self.t, "the motion is not a number", [])
-        found = solve_ivp(
-            derivative,
-            (self.t, times[-1]),
-            x,
-            method="DOP853",
-            t_eval=times,
-            rtol=RTOL,
-            atol=TOLERANCE,
-            args=(system,),
-        )
+        span = self.t, times[-1]
+        found = solve_ivp(derivative, span, x, "DOP853", times, rtol=RTOL, atol=TOLERANCE)
         motions: list[Motion] = []
         for self.t, x in zip(found.t.tolist(), found.y.T, strict=True):
             self.state = state_of(np.ascontiguousarray(x))
@@ -217,17 +199,12 @@ class LagrangeKite:
             raise FlightError(self.name, self.t, found.message, motions)
         return motions
 
-    def batch(
-        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
-    ) -> NDArray[np.float64]:
-        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
+    def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
+        """Rows of `rows_at`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
+        system = LagrangeSystem(self.parameters, programme)
+        flight = LagrangeFlight(system, room_for(self._x()), tolerance)
+        return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
-        `tolerance` bounds the error of each step in q [rad] and q̇ [rad/s].
-        """
-        rows = np.empty((len(times), TENSIONS + 2))
-        flight = LagrangeFlight(self.parameters, programme, room_for(self._x()), tolerance)
-        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
-
-    def _x(self) -> NDArray[np.float64]:
+    def _x(self) -> Array:
         """(q, q̇) in a row, (8,)."""
         return np.array([*self.state.q, *self.state.q_dot])

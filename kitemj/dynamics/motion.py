@@ -108,10 +108,8 @@ def attachment_velocity_E(parameters: Parameters, body: Body, side: float) -> Ve
 @compiled
 def angles_of(parameters: Parameters, body: Body) -> Angles:
     """q [rad] of a pose; exact while both lines are straight."""
-    middle = times(
-        0.5, plus(attachment_E(parameters, body, 1.0), attachment_E(parameters, body, -1.0))
-    )
-    return angles(body.R_BE, middle)
+    A_plus, A_minus = attachment_E(parameters, body, 1.0), attachment_E(parameters, body, -1.0)
+    return angles(body.R_BE, times(0.5, plus(A_plus, A_minus)))
 
 
 @compiled
@@ -136,21 +134,14 @@ def energy(parameters: Parameters, body: Body) -> float:
 
 
 @compiled
-def straight_line(
-    parameters: Parameters, body: Body, c: Control, side: float, tension: float
-) -> LineState:
-    """The straight, massless line to A₊ (`side` +1) or A₋ (-1) that pulls with `tension` [N]."""
-    length = line_motion(parameters.kite.y_A, c, side).length
-    points = Vector(0.0, 0.0, 0.0), attachment_E(parameters, body, side)
-    return LineState(length, tension, tension, points)
-
-
-@compiled
 def straight_lines(
     parameters: Parameters, body: Body, c: Control, tensions: PerLine
 ) -> tuple[LineState, LineState]:
-    """Both lines, that to A₊ first."""
+    """Both straight, massless lines, which pull with `tensions` [N]; that to A₊ first."""
+    y_A, ground = parameters.kite.y_A, Vector(0.0, 0.0, 0.0)
+    A_plus, A_minus = attachment_E(parameters, body, 1.0), attachment_E(parameters, body, -1.0)
+    left, right = line_motion(y_A, c, 1.0).length, line_motion(y_A, c, -1.0).length
     return (
-        straight_line(parameters, body, c, 1.0, tensions.plus),
-        straight_line(parameters, body, c, -1.0, tensions.minus),
+        LineState(left, tensions.plus, tensions.plus, (ground, A_plus)),
+        LineState(right, tensions.minus, tensions.minus, (ground, A_minus)),
     )

@@ -10,15 +10,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
-from kitemj.dynamics.engine import Array, Engine, body_of, build, place
+from kitemj.dynamics.batch import carry_law, present_law, rows_at
+from kitemj.dynamics.engine import Engine, body_of, build, place
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
 from kitemj.dynamics.slack import TAUT, catch, release, run_out, slack_excess
 from kitemj.dynamics.straight import q_ddot_of, state_of, straight_body
 from kitemj.dynamics.taut import evaluate, settle, tensions
 from kitemj.errors import FlightError
-from kitemj.physics.compiled import compiled
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import world
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
@@ -100,20 +100,13 @@ def rk4(engine: Engine, parameters: Parameters, programme: Programme, t: float, 
 
 @compiled
 def _runs_out_after(
-    engine: Engine,
-    parameters: Parameters,
-    programme: Programme,
-    t: float,
-    h: float,
-    line: int,
-    before: Array,
-    softness: Array,
+    engine: Engine, parameters: Parameters, programme: Programme, t: float, h: float, line: int
 ) -> float:
     """The part [s] of a step `h` after which slack `line` is just taut; leaves that state.
 
-    Regula falsi, Illinois variant, on the line's excess; each trial is a step from `before`.
+    Regula falsi, Illinois variant, on the line's excess; each trial is one from ``engine.before``.
     """
-    early, late = 0.0, h
+    before, softness, early, late = engine.before, engine.softness_before, 0.0, h
     over_late = slack_excess(engine, parameters, programme, t + h, line)
     _write(engine, before)
     over_early = slack_excess(engine, parameters, programme, t, line)
@@ -142,16 +135,15 @@ def _runs_out_after(
 @compiled
 def step(engine: Engine, parameters: Parameters, programme: Programme, t: float, h: float) -> None:
     """One step of `h` [s], cut where a slack line runs out."""
-    before, softness = engine.before, engine.softness_before
     left, now = h, t
     for catches in range(MAX_CATCHES + 1):
-        _read(engine, before)
-        _keep(engine.softness, softness)
+        _read(engine, engine.before)
+        _keep(engine.softness, engine.softness_before)
         rk4(engine, parameters, programme, now, left)
         line = run_out(engine, parameters, programme, now + left)
         if line < 0 or catches == MAX_CATCHES:
             break
-        part = _runs_out_after(engine, parameters, programme, now, left, line, before, softness)
+        part = _runs_out_after(engine, parameters, programme, now, left, line)
         catch(engine, parameters, programme, now + part, line)
         now, left = now + part, left - part
         if left <= 0.0:
@@ -197,9 +189,7 @@ def instant_at(
 def motion_at(engine: Engine, parameters: Parameters, programme: Programme, t: float) -> Motion:
     """All that is asked of one instant; leaves the flight as it was."""
     _keep(engine.softness, engine.softness_before)
-    for _ in range(
-        2
-    ):  # R f is that of the step's last stage: 10⁻⁴, then 10⁻⁸ of its change is left
+    for _ in range(2):  # R f is of the step's last stage: 10⁻⁴, then 10⁻⁸ of its change is left
         evaluate(engine, parameters, programme, t)
     _keep(engine.softness_before, engine.softness)
     body, c = body_of(engine), control(programme, t)
@@ -244,10 +234,7 @@ class MujocoKite:
     name, rigs = "mujoco", (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
-        self.parameters, self.step = parameters, step
-        self.t = 0.0
-        self._model: Any
-        self._data: Any
+        self.parameters, self.step, self.t = parameters, step, 0.0
         self._model, self._data, self._engine = build(parameters, step)
 
     def start(self, state: State, programme: Programme) -> None:
@@ -258,15 +245,14 @@ class MujocoKite:
     def at(self, state: State, control: Control, t: float) -> Instant:
         """The instant at `state`."""
         kept = self.snapshot()
-        now: Instant = instant_at(self._engine, self.parameters, control, t, state)
+        now = instant_at(self._engine, self.parameters, control, t, state)
         self.restore(kept)
         return now
 
     @property
     def state(self) -> State:
         """The present q and q̇."""
-        now: State = state_of(self.parameters, body_of(self._engine))
-        return now
+        return state_of(self.parameters, body_of(self._engine))
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s]; raises FlightError where the numbers leave the finite."""
@@ -274,9 +260,8 @@ class MujocoKite:
         flown(self._engine, self.parameters, programme, self.t, steps, duration / steps)
         self.t += duration
         if not isfinite(self._engine.qpos[0]):
-            raise FlightError(
-                "mujoco", self.t, "the state is no longer finite; a shorter step may help", []
-            )
+            reason = "the state is no longer finite; a shorter step may help"
+            raise FlightError("mujoco", self.t, reason, [])
 
     def motion(self, programme: Programme) -> Motion:
         """The present instant."""
@@ -311,10 +296,6 @@ class MujocoKite:
         return motions
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
-        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
-
-        The steps are the model's own; `tolerance` is for models with error control.
-        """
-        rows = np.empty((len(times), TENSIONS + 2))
+        """Rows of `rows_at`; in the model's own steps, `tolerance` is for others."""
         flight = MujocoFlight(self._engine, self.parameters, programme, self.step)
-        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
+        return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))

@@ -29,17 +29,7 @@ from kitemj.physics.kite import Kite
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Programme, control, line_motion
-from kitemj.physics.vectors import (
-    Vector,
-    cross,
-    dot,
-    minus,
-    norm,
-    plus,
-    rotated,
-    times,
-    unrotated,
-)
+from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, rotated, times, unrotated
 
 
 class Free(NamedTuple):
@@ -96,10 +86,8 @@ def spin(kite: Kite, omega_B: Vector) -> Vector:
 def unspin(kite: Kite, moment_B: Vector) -> Vector:
     """I⁻¹ M: the inverse of `spin`."""
     I_x, I_z, I_xz = kite.inertia_x, kite.inertia_z, kite.inertia_xz
-    M, det = moment_B, I_x * I_z - I_xz * I_xz
-    return Vector(
-        (I_z * M.x + I_xz * M.z) / det, M.y / kite.inertia_y, (I_xz * M.x + I_x * M.z) / det
-    )
+    M, I_y, det = moment_B, kite.inertia_y, I_x * I_z - I_xz * I_xz
+    return Vector((I_z * M.x + I_xz * M.z) / det, M.y / I_y, (I_xz * M.x + I_x * M.z) / det)
 
 
 @compiled
@@ -260,8 +248,7 @@ def placed(parameters: Parameters, programme: Programme, state: State) -> Free:
     n_dot_1_E = plus(times(cos(tilt), R_1.y), times(sin(tilt), R_1.z))
     p_O2_E = times(c.ell, n_E)
     v_O2_E = plus(
-        plus(times(c.ell_dot, n_E), times(c.ell * tilt_dot, n_dot_1_E)),
-        cross(omega_1_E, p_O2_E),
+        plus(times(c.ell_dot, n_E), times(c.ell * tilt_dot, n_dot_1_E)), cross(omega_1_E, p_O2_E)
     )
     O2G_E = unrotated(R_B, Vector(-kite.x_A, 0.0, -kite.z_A))
     return Free(

@@ -4,10 +4,9 @@ from math import ceil
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
-from kitemj.dynamics.batch import TENSIONS, carry_law, fill_rows, present_law
+from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
 from kitemj.dynamics.newton_euler import (
@@ -21,15 +20,13 @@ from kitemj.dynamics.newton_euler import (
 )
 from kitemj.dynamics.straight import q_ddot_of, state_of
 from kitemj.errors import FlightError
-from kitemj.physics.compiled import compiled
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Quaternion
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import TWO_LINES
 from kitemj.physics.steering import Control, Programme, Segment, control
 from kitemj.physics.vectors import Vector
-
-Array = NDArray[np.float64]
 
 TOLERANCE = 1e-12
 """Of each of the 13 numbers [m, 1, m/s, rad/s], for one adaptive step."""
@@ -45,8 +42,7 @@ class NewtonEulerSystem(NamedTuple):
 class NewtonEulerFlight(NamedTuple):
     """A flight with error control: the 13 numbers in `room`, `tolerance` of a step."""
 
-    parameters: Parameters
-    programme: Programme
+    system: NewtonEulerSystem
     room: Room
     tolerance: float
 
@@ -55,10 +51,10 @@ class NewtonEulerFlight(NamedTuple):
 def put(y: Free, x: Array) -> None:
     """The 13 numbers in a row, into `x` (13,)."""
     p, e, v, w = y
-    x[0], x[1], x[2] = p.x, p.y, p.z
-    x[3], x[4], x[5], x[6] = e.w, e.x, e.y, e.z
-    x[7], x[8], x[9] = v.x, v.y, v.z
-    x[10], x[11], x[12] = w.x, w.y, w.z
+    x[0], x[1], x[2] = p
+    x[3], x[4], x[5], x[6] = e
+    x[7], x[8], x[9] = v
+    x[10], x[11], x[12] = w
 
 
 @compiled
@@ -102,8 +98,8 @@ def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> In
 @compiled
 def carry(flight: NewtonEulerFlight, t: float, end: float) -> float:
     """On from time `t` to `end` [s] and back on the lines; the time that was reached."""
-    parameters, programme, room, tolerance = flight
-    reached = carried(NewtonEulerSystem(parameters, programme), room, t, end, tolerance)
+    (parameters, programme), room, tolerance = flight
+    reached = carried(flight.system, room, t, end, tolerance)
     put(corrected(parameters, programme, reached, free(room.x)), room.x)
     return reached
 
@@ -112,7 +108,7 @@ def carry(flight: NewtonEulerFlight, t: float, end: float) -> float:
 @compiled
 def present(flight: NewtonEulerFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
-    return motion_of(flight.parameters, flight.programme, t, free(flight.room.x))
+    return motion_of(flight.system.parameters, flight.system.programme, t, free(flight.room.x))
 
 
 class NewtonEulerKite:
@@ -124,8 +120,7 @@ class NewtonEulerKite:
     name, rigs = "newton-euler", (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
-        self.parameters, self.step = parameters, step
-        self.t = 0.0
+        self.parameters, self.step, self.t = parameters, step, 0.0
         self._y: Free
 
     def start(self, state: State, programme: Programme) -> None:
@@ -135,14 +130,12 @@ class NewtonEulerKite:
 
     def at(self, state: State, control: Control, t: float) -> Instant:
         """The instant at `state`."""
-        now: Instant = instant_at(self.parameters, control, t, state)
-        return now
+        return instant_at(self.parameters, control, t, state)
 
     @property
     def state(self) -> State:
         """The present q and q̇."""
-        now: State = state_of(self.parameters, body_of(self._y))
-        return now
+        return state_of(self.parameters, body_of(self._y))
 
     def advance(self, programme: Programme, duration: float) -> None:
         """Flies on for `duration` [s] in equal Runge-Kutta steps, corrected after each."""
@@ -181,18 +174,12 @@ class NewtonEulerKite:
             motions.append(self.motion(programme))
         return motions
 
-    def batch(
-        self, programme: Programme, times: NDArray[np.float64], touch: float, tolerance: float
-    ) -> NDArray[np.float64]:
-        """Rows of `fill_rows` at `times` (n,) [s] from the start on; those that hold.
-
-        `tolerance` bounds the error of each step in each of the 13 numbers.
-        """
-        rows = np.empty((len(times), TENSIONS + 2))
+    def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
+        """Rows of `rows_at`; `tolerance` of each step in each of the 13 numbers."""
         flight = self._adaptive(programme, tolerance)
-        return rows[: fill_rows(flight, self.parameters, times, touch, rows)]
+        return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
     def _adaptive(self, programme: Programme, tolerance: float) -> NewtonEulerFlight:
-        x = np.empty(13)
+        system, x = NewtonEulerSystem(self.parameters, programme), np.empty(13)
         put(self._y, x)
-        return NewtonEulerFlight(self.parameters, programme, room_for(x), tolerance)
+        return NewtonEulerFlight(system, room_for(x), tolerance)

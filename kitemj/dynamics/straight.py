@@ -5,21 +5,10 @@ from typing import NamedTuple
 
 from kitemj.dynamics.motion import Body, State, angles_of
 from kitemj.physics.compiled import compiled
-from kitemj.physics.frames import R_1E, R_21, R_B2, Angles
+from kitemj.physics.frames import R_1E, R_21, R_B2, R_BE, Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
-from kitemj.physics.vectors import (
-    Vector,
-    cross,
-    dot,
-    minus,
-    norm,
-    plus,
-    product,
-    rotated,
-    times,
-    unrotated,
-)
+from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, rotated, times, unrotated
 
 
 @compiled
@@ -33,8 +22,7 @@ def straight_body(parameters: Parameters, q: Angles, q_dot: Angles, c: Control) 
     R_1, R_2, R_B = R_1E(q.phi, q.gamma), R_21(q.eta), R_B2(q.theta)
 
     omega_1 = Vector(-q_dot.phi * sin(q.gamma), q_dot.gamma, q_dot.phi * cos(q.gamma))
-    along = Vector(0.0, sin(lean), -cos(lean))
-    across = Vector(0.0, cos(lean), sin(lean))
+    along, across = Vector(0.0, sin(lean), -cos(lean)), Vector(0.0, cos(lean), sin(lean))
     p_O2_1 = times(c.ell, along)
     v_O2_1 = plus(
         plus(times(c.ell_dot, along), times(c.ell * lean_dot, across)), cross(omega_1, p_O2_1)
@@ -42,12 +30,11 @@ def straight_body(parameters: Parameters, q: Angles, q_dot: Angles, c: Control) 
 
     omega_2 = plus(rotated(R_2, omega_1), Vector(q_dot.eta, q_dot.theta, 0.0))
     omega_B = rotated(R_B, omega_2)
-    O2_G_B = Vector(-kite.x_A, 0.0, -kite.z_A)
-    R_BE = product(R_B, product(R_2, R_1))
+    attitude, O2_G_B = R_BE(q), Vector(-kite.x_A, 0.0, -kite.z_A)
     return Body(
-        plus(unrotated(R_1, p_O2_1), unrotated(R_BE, O2_G_B)),
-        R_BE,
-        plus(unrotated(R_1, v_O2_1), unrotated(R_BE, cross(omega_B, O2_G_B))),
+        plus(unrotated(R_1, p_O2_1), unrotated(attitude, O2_G_B)),
+        attitude,
+        plus(unrotated(R_1, v_O2_1), unrotated(attitude, cross(omega_B, O2_G_B))),
         omega_B,
     )
 

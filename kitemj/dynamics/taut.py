@@ -21,15 +21,7 @@ from kitemj.physics.frames import world
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Programme, control, line_motion
-from kitemj.physics.vectors import (
-    Vector,
-    cross,
-    dot,
-    norm,
-    rotated,
-    times,
-    unrotated,
-)
+from kitemj.physics.vectors import Vector, cross, dot, norm, rotated, times, unrotated
 
 SIDES = (1.0, -1.0)
 
@@ -114,11 +106,9 @@ def mobility(parameters: Parameters, a: Line, b: Line) -> float:
 def spin_of(parameters: Parameters, H_B: Vector) -> Vector:
     """I⁻¹ H: the rates [rad/s] that an angular momentum [N m s] means."""
     kite = parameters.kite
-    I_x, I_z, I_xz = kite.inertia_x, kite.inertia_z, kite.inertia_xz
+    I_x, I_y, I_z, I_xz = kite.inertia_x, kite.inertia_y, kite.inertia_z, kite.inertia_xz
     D = I_x * I_z - I_xz * I_xz
-    return Vector(
-        (I_z * H_B.x + I_xz * H_B.z) / D, H_B.y / kite.inertia_y, (I_xz * H_B.x + I_x * H_B.z) / D
-    )
+    return Vector((I_z * H_B.x + I_xz * H_B.z) / D, H_B.y / I_y, (I_xz * H_B.x + I_x * H_B.z) / D)
 
 
 @compiled

@@ -5,17 +5,15 @@ from math import log2
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion, State, attachment_E, attachment_velocity_E, energy
 from kitemj.dynamics.straight import straight_body
+from kitemj.physics.compiled import Array
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Segment, control
 from kitemj.physics.vectors import dot, norm, rotated
-
-Array = NDArray[np.float64]
 
 EIGHTH_ORDER = (4 / 5, -1 / 5, 4 / 105, -1 / 280)
 """Weights of the central difference at 1, 2, 3 and 4 steps."""

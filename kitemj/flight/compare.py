@@ -110,8 +110,6 @@ def compare(flight: Simulation, reference: Simulation) -> Comparison:
 
 def compare_models(scenario: Scenario, models: Sequence[str], step: float) -> list[Comparison]:
     """Each of `models` against the last of them, which is the reference."""
-    flights = [
-        simulate(scenario, model, step)
-        for model in with_progress(f"flying {scenario.source}", models, len(models))
-    ]
+    shown = with_progress(f"flying {scenario.source}", models, len(models))
+    flights = [simulate(scenario, model, step) for model in shown]
     return [compare(flight, flights[-1]) for flight in flights[:-1]]

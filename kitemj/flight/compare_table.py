@@ -14,31 +14,12 @@ from kitemj.flight.ladder import Rung
 from kitemj.tables import Cell, Table
 
 HEADINGS = (
-    "scenario",
-    "models",
-    "until [s]",
-    "valid [s]",
-    "position [µm]",
-    "at [s]",
-    "attitude [µrad]",
-    "at [s]",
-    "tension [mN]",
-    "at [s]",
-    "agree",
+    *("scenario", "models", "until [s]", "valid [s]", "position [µm]", "at [s]"),
+    *("attitude [µrad]", "at [s]", "tension [mN]", "at [s]", "agree"),
 )
 COLUMNS = (
-    "scenario",
-    "model",
-    "reference",
-    "until_s",
-    "valid_s",
-    "position_m",
-    "position_at_s",
-    "attitude_rad",
-    "attitude_at_s",
-    "tension_N",
-    "tension_at_s",
-    "agree",
+    *("scenario", "model", "reference", "until_s", "valid_s", "position_m", "position_at_s"),
+    *("attitude_rad", "attitude_at_s", "tension_N", "tension_at_s", "agree"),
 )
 RUNG_HEADINGS = ("rung", "model", "measured", "limit", "unit", "holds")
 RUNG_COLUMNS = ("scenario", "rung", "model", "measured", "limit", "unit", "at_least", "holds")

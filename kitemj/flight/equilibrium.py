@@ -13,13 +13,12 @@ from math import atan2, cos, degrees, hypot, pi, sin
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import coefficients
-from kitemj.physics.compiled import compiled
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell
@@ -104,9 +103,7 @@ def balance(parameters: Parameters, ell: float, alpha: float) -> Balance:
 
 
 @compiled
-def _moments(
-    parameters: Parameters, ell: float, angles: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _moments(parameters: Parameters, ell: float, angles: Array) -> Array:
     """The moment [N m] at each of `angles` [rad]."""
     moments = np.empty(len(angles))
     for i in range(len(angles)):

@@ -68,7 +68,7 @@ def ladder(scenario: Scenario, step: float = DEFAULT_STEP) -> list[Rung]:
     reference, instants = simulate(scenario, REFERENCE), _instants(scenario)
     rungs = []
     for model in reversed([name for name in MODELS if name != REFERENCE]):
-        rungs += _instantaneous(scenario, instants, model)
+        rungs += _at_instants(scenario, instants, model)
         rungs += _flown(scenario, reference, model, step)
     return rungs
 
@@ -92,9 +92,7 @@ def _instants(scenario: Scenario) -> list[tuple[float, State]]:
     return found
 
 
-def _instantaneous(
-    scenario: Scenario, instants: list[tuple[float, State]], model: str
-) -> list[Rung]:
+def _at_instants(scenario: Scenario, instants: list[tuple[float, State]], model: str) -> list[Rung]:
     """Accelerations and tensions from one and the same pose, velocity and control."""
     parameters, programme = scenario.parameters, scenario.programme
     kite, reference = make_model(model, parameters), make_model(REFERENCE, parameters)
@@ -117,19 +115,13 @@ def _flown(scenario: Scenario, reference: Simulation, model: str, step: float) -
     gaps = compare(simulate(scenario, model, step), reference)
     balance = imbalance(scenario.parameters, every_step(scenario, model, step))
     order = min(orders(convergence(scenario, model), ROUNDING), default=nan)
+    between = "between steps of 10 and 2.5 ms"
     return [
         Rung("position", model, gaps.position.value, _limit(POSITION, model), "m"),
         Rung("attitude", model, gaps.attitude.value, _limit(POSITION, model), "rad"),
         Rung("tension in flight", model, gaps.tension.value, TENSION_TOLERANCE, "N"),
         Rung("energy balance", model, balance, _limit(BALANCE, model), "of the energy turned over"),
-        Rung(
-            "order",
-            model,
-            order,
-            _limit(ORDER, model),
-            "between steps of 10 and 2.5 ms",
-            at_least=True,
-        ),
+        Rung("order", model, order, _limit(ORDER, model), between, at_least=True),
     ]
 
 

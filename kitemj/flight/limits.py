@@ -13,9 +13,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS, Array
+from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS
 from kitemj.dynamics.batch import clearance as clearance_of
 from kitemj.dynamics.motion import Motion
+from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Limits, Parameters
 
 TOUCH = 1e-3

@@ -78,10 +78,6 @@ def told(reach: Reach) -> str:
         f"ℓ            {reach.ell:.6f} m; {reach.ell_rest:.6f} m when the hands are level\n"
         f"δ_max        {delta} rad = {degrees(reach.delta):.4g}°\n"
     )
-    if (reach.arm, reach.length, reach.attachments) == (
-        THESIS_ARM,
-        THESIS_LENGTH,
-        2 * THESIS_Y_A,
-    ):
+    if (reach.arm, reach.length, reach.attachments) == (THESIS_ARM, THESIS_LENGTH, 2 * THESIS_Y_A):
         text += f"the thesis   prints {THESIS_DELTA:g} rad for these numbers\n"
     return text + f"\n[stick]\ndelta = {delta}\narm = {reach.arm:g}"

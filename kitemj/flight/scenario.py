@@ -106,7 +106,9 @@ def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
         if key not in known:
             raise unknown_key(key, known, "", source)
     overrides = {key: tables[key] for key in ("aero", *SECTIONS) if key in tables}
-    parameters = parameter_set(_text(tables, "set", "laksa", source), overrides, source)
+    if not isinstance(name := tables.get("set", "laksa"), str):
+        raise InputError(f"set must be a text, got {name!r} ({source})")
+    parameters = parameter_set(name, overrides, source)
     times = checked(Times, {k: tables[k] for k in Times._fields if k in tables}, "", source)
     if times.output_interval > times.duration:
         raise InputError(
@@ -116,13 +118,6 @@ def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
     programme = _programme(_section(tables, "steering", source), parameters, times, source)
     start = _start(_section(tables, "start", source), parameters, source)
     return Scenario(source, parameters, programme, start, times)
-
-
-def _text(tables: Mapping[str, Any], key: str, default: str, source: str) -> str:
-    value = tables.get(key, default)
-    if not isinstance(value, str):
-        raise InputError(f"{key} must be a text, got {value!r} ({source})")
-    return value
 
 
 def _section(tables: Mapping[str, Any], name: str, source: str) -> dict[str, Any]:
@@ -146,13 +141,13 @@ def _programme(
     rest = rest_ell(parameters.lines.length, parameters.kite.y_A)
     kind = _choice(table, "programme", PROGRAMMES, f"{source}, [steering]")
     if kind == "table":
-        return _spline(
-            checked(SteeringTable, table, "steering", source), rest, parameters, times, source
-        )
-    if kind == "rest" and set(table) - {"ell", "delta"}:
-        odd = next(iter(set(table) - {"ell", "delta"}))
+        rows = checked(SteeringTable, table, "steering", source)
+        return _spline(rows, rest, parameters, times, source)
+    odd = set(table) - {"ell", "delta"}
+    if kind == "rest" and odd:
         raise InputError(
-            f'steering.{odd} means nothing at rest: add programme = "sine" ({source}, [steering])'
+            f"steering.{odd.pop()} means nothing at rest: "
+            f'add programme = "sine" ({source}, [steering])'
         )
     sines = checked(Sines, {"ell": rest, **table}, "steering", source)
     _check_reach(sines.ell - abs(sines.ell_amplitude), parameters, source)
@@ -180,8 +175,8 @@ def _spline(
         )
     _check_reach(float(ell.min()), parameters, source)
     _check_tilt(float(np.abs(table.delta).max()), source)
-    coefficients = CubicSpline(t, ell).c, CubicSpline(t, np.array(table.delta)).c
-    return Spline(t, np.ascontiguousarray(coefficients[0]), np.ascontiguousarray(coefficients[1]))
+    columns = (CubicSpline(t, column).c for column in (ell, np.array(table.delta)))
+    return Spline(t, *map(np.ascontiguousarray, columns))
 
 
 def _check_reach(ell: float, parameters: Parameters, source: str) -> None:

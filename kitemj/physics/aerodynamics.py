@@ -78,12 +78,7 @@ coefficients, aero_law = law(_coefficients)
 @aero_law.of(LinearAero)
 @compiled
 def linear_coefficients(
-    aero: LinearAero,
-    kite: Kite,
-    alpha: float,
-    beta: float,
-    omega_B: Vector,
-    airspeed: float,
+    aero: LinearAero, kite: Kite, alpha: float, beta: float, omega_B: Vector, airspeed: float
 ) -> Coefficients:
     """Sánchez-Arriaga et al. (2017), equations of section 2.3, in LAKSA's convention for q̂."""
     p_hat = kite.span * omega_B.x / (2 * aero.V_ref)
@@ -102,12 +97,7 @@ def linear_coefficients(
 @aero_law.of(TableAero)
 @compiled
 def table_coefficients(
-    aero: TableAero,
-    kite: Kite,
-    alpha: float,
-    beta: float,
-    omega_B: Vector,
-    airspeed: float,
+    aero: TableAero, kite: Kite, alpha: float, beta: float, omega_B: Vector, airspeed: float
 ) -> Coefficients:
     """The sum in the docstring of `TableAero`."""
     p_hat = kite.span * omega_B.x / (2 * airspeed)

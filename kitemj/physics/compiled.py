@@ -17,11 +17,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
+import numpy as np
 from numba import njit
 from numba.core import event
 from numba.extending import overload
+from numpy.typing import NDArray
 from platformdirs import user_cache_path
 
+Array = NDArray[np.float64]
 F = TypeVar("F", bound=Callable[..., Any])
 
 OPTIONS: Any = {
@@ -29,8 +32,6 @@ OPTIONS: Any = {
     "error_model": "numpy",
     "no_cfunc_wrapper": True,  # nothing calls through a C pointer; a tenth of the compiling
 }
-
-
 PACKAGE = Path(__file__).parent.parent
 
 
@@ -60,17 +61,13 @@ class _FirstCompilation(event.Listener):
 
     def on_start(self, event: event.Event) -> None:
         """A formula is about to be compiled: it was not found on the disk."""
-        if not (self.said or multiprocessing.parent_process() or _is_kept()):
+        kept = any(cache_folder().glob("**/*.nbi"))
+        if not (self.said or multiprocessing.parent_process() or kept):
             print("compiling the formulas for this machine, once: some 15 s", file=sys.stderr)
         self.said = True
 
     def on_end(self, event: event.Event) -> None:
         """Nothing to be said."""
-
-
-def _is_kept() -> bool:
-    """Whether machine code of any formula is on the disk."""
-    return any(cache_folder().glob("**/*.nbi"))
 
 
 event.register("numba:compile", _FirstCompilation())  # type: ignore[no-untyped-call]
@@ -115,9 +112,8 @@ def _keep(formulas: list[Any]) -> None:
 class Law:
     """A formula for each type of first argument; see `law`."""
 
-    def __init__(self, contract: Callable[..., Any]) -> None:
+    def __init__(self) -> None:
         self.formulas: dict[type, Callable[..., Any]] = {}
-        self.contract = contract
 
     def of(self, kind: type) -> Callable[[F], F]:
         """Registers the decorated function as the formula for `kind` (a ``NamedTuple``).
@@ -137,7 +133,7 @@ def law(contract: F) -> tuple[F, Law]:
 
     `contract` has the signature and the docstring; its body is never run.
     """
-    register = Law(contract)
+    register = Law()
 
     def by_type(*arguments: Any) -> Any:
         return register.formulas[type(arguments[0])](*arguments)

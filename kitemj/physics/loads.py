@@ -43,12 +43,7 @@ def air(parameters: Parameters, p_G_E: Vector, R_BE: Rotation, v_G_E: Vector, t:
 
 @compiled
 def aerodynamic_wrench(
-    parameters: Parameters,
-    p_G_E: Vector,
-    R_BE: Rotation,
-    v_G_E: Vector,
-    omega_B: Vector,
-    t: float,
+    parameters: Parameters, p_G_E: Vector, R_BE: Rotation, v_G_E: Vector, omega_B: Vector, t: float
 ) -> Wrench:
     """Force and moment of the air, for a pose [m], velocity [m/s, E] and rates [rad/s, B]."""
     alpha, beta, speed = air(parameters, p_G_E, R_BE, v_G_E, t)

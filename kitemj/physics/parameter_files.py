@@ -11,8 +11,8 @@ import numpy as np
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import aero_law
 from kitemj.physics.checked import checked, in_radians, unknown_key
-from kitemj.physics.kite import Kite, Lines
-from kitemj.physics.parameters import Environment, Limits, Parameters, StickLimits
+from kitemj.physics.kite import Lines
+from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import RIGS
 from kitemj.physics.wind import Wind, wind_law
 from kitemj.registry import Registry
@@ -36,22 +36,11 @@ LAWS = {"aero": AERO_LAWS, "wind": WINDS, "lines": LINES}
 """Sections that hold one of several types of numbers; the first is meant where none is named."""
 NAMED_BY = {"aero": "law", "wind": "law", "lines": "kind"}
 """Under which key the type is named."""
-KNOWN: dict[str, Mapping[type, Any]] = {
-    "aero": aero_law.formulas,
-    "wind": wind_law.formulas,
-    "lines": RIGS,
-}
+KNOWN: dict[str, Any] = {"aero": aero_law.formulas, "wind": wind_law.formulas, "lines": RIGS}
 """What each type must be known to: the formulas of its law, the rigs."""
 NEEDED = {"aero": (), "wind": ("speed", "azimuth"), "lines": ("length", "rigid")}
 """Fields that each type of the section must have."""
-SECTIONS = {
-    "kite": Kite,
-    "lines": Lines,
-    "environment": Environment,
-    "wind": Wind,
-    "limits": Limits,
-    "stick": StickLimits,
-}
+SECTIONS = {name: kind for name, kind in get_type_hints(Parameters).items() if name != "aero"}
 
 
 def set_names() -> list[str]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from annotated_types import BaseMetadata, Ge, GroupedMetadata, Gt, Le, Lt
+from annotated_types import BaseMetadata, GroupedMetadata, Interval
 
 
 @dataclass(frozen=True)
@@ -19,11 +19,4 @@ class Quantity(GroupedMetadata):
 
     def __iter__(self) -> Iterator[BaseMetadata]:
         """The bounds in the form that checking libraries read."""
-        if self.gt is not None:
-            yield Gt(self.gt)
-        if self.ge is not None:
-            yield Ge(self.ge)
-        if self.lt is not None:
-            yield Lt(self.lt)
-        if self.le is not None:
-            yield Le(self.le)
+        yield from Interval(gt=self.gt, ge=self.ge, lt=self.lt, le=self.le)

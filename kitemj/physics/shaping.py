@@ -10,14 +10,7 @@ from functools import cache
 from math import copysign, inf
 from typing import Any
 
-from ruckig import (
-    ControlInterface,
-    InputParameter,
-    Ruckig,
-    RuckigError,
-    Synchronization,
-    Trajectory,
-)
+import ruckig
 
 from kitemj.physics.parameters import StickLimits
 from kitemj.physics.steering import Control, Segment
@@ -60,9 +53,9 @@ def asked(
 
 @cache
 def _planner() -> tuple[Any, Any, Any]:
-    wish = InputParameter(2)
-    wish.synchronization = Synchronization.No
-    return Ruckig(2), wish, Trajectory(2)
+    wish = ruckig.InputParameter(2)
+    wish.synchronization = ruckig.Synchronization.No
+    return ruckig.Ruckig(2), wish, ruckig.Trajectory(2)
 
 
 def shaped(
@@ -83,38 +76,25 @@ def shaped(
     limit tick²/4 and never passed by more.
     """
     planner, wish, way = _planner()
-    stops = delta_dot < STILL
-    wish.per_dof_control_interface = [
-        ControlInterface.Velocity if stops else ControlInterface.Position,
-        ControlInterface.Position,
-    ]
+    stops, kinds = delta_dot < STILL, ruckig.ControlInterface
+    wish.per_dof_control_interface = [kinds.Velocity if stops else kinds.Position, kinds.Position]
     wish.current_position = [now.delta, now.ell]
     wish.current_velocity = [now.delta_dot, now.ell_dot]
-    wish.target_position = [
-        _within(delta, limits.delta),
-        ell_rest + _within(ell - ell_rest, limits.ell),
-    ]
+    reach = ell_rest + _within(ell - ell_rest, limits.ell)
+    wish.target_position = [_within(delta, limits.delta), reach]
     fastest = limits.delta_dot if stops else min(delta_dot, limits.delta_dot)
     wish.max_velocity = [fastest, limits.ell_dot]
     wish.max_acceleration = [limits.delta_ddot, limits.ell_ddot]
     try:
         planner.calculate(wish, way)
-    except RuckigError:
+    except ruckig.RuckigError:
         # a state exactly on the braking parabola can fall between its cases by rounding
         wish.max_acceleration = [NUDGE * limits.delta_ddot, NUDGE * limits.ell_ddot]
         planner.calculate(wish, way)
     _, (delta_dot, ell_dot), _ = way.at_time(tick)
-    return Segment(
-        start,
-        Control(
-            now.ell,
-            now.ell_dot,
-            _within((ell_dot - now.ell_dot) / tick, limits.ell_ddot),
-            now.delta,
-            now.delta_dot,
-            _within((delta_dot - now.delta_dot) / tick, limits.delta_ddot),
-        ),
-    )
+    ell_ddot = _within((ell_dot - now.ell_dot) / tick, limits.ell_ddot)
+    delta_ddot = _within((delta_dot - now.delta_dot) / tick, limits.delta_ddot)
+    return Segment(start, now._replace(ell_ddot=ell_ddot, delta_ddot=delta_ddot))
 
 
 def _within(value: float, limit: float) -> float:

@@ -9,9 +9,8 @@ from math import cos, sin, sqrt
 from typing import Annotated, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kitemj.physics.compiled import compiled, law
+from kitemj.physics.compiled import Array, compiled, law
 from kitemj.physics.quantity import Quantity
 
 
@@ -51,9 +50,9 @@ class Spline(NamedTuple):
     As ``scipy.interpolate.CubicSpline.c``: row 0 multiplies (t - times[i])³.
     """
 
-    times: NDArray[np.float64]
-    ell: NDArray[np.float64]
-    delta: NDArray[np.float64]
+    times: Array
+    ell: Array
+    delta: Array
 
 
 class Segment(NamedTuple):

@@ -7,9 +7,10 @@ from typing import NamedTuple
 from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.equilibrium import equilibrium_state
 from kitemj.physics.parameters import Parameters
-from kitemj.pilots.advice import LEFT, RIGHT, Advice, Observer
+from kitemj.pilots.advice import Advice
 from kitemj.pilots.crash import FirstTouch
 from kitemj.pilots.lessons import Eight, Landing, Lesson, Loop, Top, Turn
+from kitemj.pilots.sight import LEFT, RIGHT, Observer
 
 BLINK = 0.5
 """s; who sees less often cannot count turns."""

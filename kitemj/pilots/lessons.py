@@ -6,20 +6,8 @@ A lesson knows nothing of crashes, restarts or the other lessons; `course.py` do
 from math import asin, cos, degrees, pi, radians, sin
 from typing import NamedTuple, Protocol
 
-from kitemj.pilots.advice import (
-    LEFT,
-    MORE,
-    RIGHT,
-    SOME,
-    WORDS,
-    Advice,
-    Held,
-    Observation,
-    completed,
-    danger,
-    stick,
-    up,
-)
+from kitemj.pilots.advice import MORE, SOME, Advice, completed, danger, stick, up
+from kitemj.pilots.sight import LEFT, RIGHT, WORDS, Held, Observation
 
 
 class Lesson(Protocol):
@@ -31,6 +19,12 @@ class Lesson(Protocol):
 
 STEADY = 1.0
 """s; a nose that points up for so long does so not by accident."""
+
+
+def back(look: Observation, praise: str) -> Advice:
+    """After `praise`, how to turn the nose up again."""
+    advice = completed(up(look), "until the nose points up", "the nose is coming up")
+    return advice._replace(text=f"{praise} {advice.text}")
 
 
 class Top:
@@ -97,7 +91,7 @@ class Turn:
         self._aside = not self._spun and (self._aside or min(nose, away) >= 1)
         parts = max(0.0, min(nose, 1.0)) + max(0.0, min(away, 1.0))
         progress = 0.6 + 0.4 * min(held / STEADY, 1.0) if self._aside else 0.3 * parts
-        advice = danger(look) or (self._back(look) if self._aside else self._off(look))
+        advice = danger(look) or (back(look, "Well turned.") if self._aside else self._off(look))
         return advice._replace(progress=progress)
 
     def _off(self, look: Observation) -> Advice:
@@ -106,10 +100,6 @@ class Turn:
         if advice.push * side < 0:
             return advice._replace(text=f"{advice.text}: the nose has turned too far")
         return completed(advice, f"until the nose points {name}", f"the kite flies {name}")
-
-    def _back(self, look: Observation) -> Advice:
-        advice = completed(up(look), "until the nose points up", "the nose is coming up")
-        return advice._replace(text=f"Well turned. {advice.text}")
 
 
 NOSE, AWAY = 45.0, 15.0
@@ -132,7 +122,8 @@ class Loop:
         self._looped |= share > LOOPED
         held = self._held.look(self._looped and look.upright, look.motion.t)
         if self._looped:
-            return self._after(look)._replace(progress=0.8 + 0.2 * min(held / STEADY, 1.0))
+            advice = danger(look) or back(look, "All the way round!")
+            return advice._replace(progress=0.8 + 0.2 * min(held / STEADY, 1.0))
         progress = 0.8 * max(0.0, min(share / LOOPED, 1.0))
         return self._round(look, share)._replace(progress=progress)
 
@@ -148,10 +139,6 @@ class Loop:
             climb = up(look)
             return climb._replace(text=f"A loop needs room. {climb.text}: climb first")
         return Advice(f"Push the stick fully {name} and keep it there", side)
-
-    def _after(self, look: Observation) -> Advice:
-        advice = completed(up(look), "until the nose points up", "the nose is coming up")
-        return danger(look) or advice._replace(text=f"All the way round! {advice.text}")
 
 
 LOOPED, RELEASE, STARTED = 0.9, 0.65, 0.1

@@ -1,9 +1,20 @@
-"""What a pilot on the ground sees of the kite: where it is, where its nose points, its turns."""
+"""What a pilot on the ground sees of the kite (place, nose, turns), and what a lesson sees."""
 
-from math import atan2, cos, hypot, pi, sin
+from math import atan2, cos, hypot, inf, pi, radians, sin
 from typing import NamedTuple
 
 from kitemj.dynamics.motion import Motion
+from kitemj.physics.parameters import Parameters
+from kitemj.pilots.crash import Touch
+
+LEFT, RIGHT = -1.0, 1.0
+WORDS = {LEFT: "left", RIGHT: "right"}
+
+UPRIGHT = radians(30.0)
+THOUGHT = 1.0
+"""s; from seeing that it goes wrong to the stick on the other side."""
+FULL = 0.85
+"""Of the stick's way: nearly all of it."""
 
 
 class Sight(NamedTuple):
@@ -48,3 +59,59 @@ class Twist:
             self.angle += turned(heading - self._last)
         self._last = heading
         return self.angle / (2 * pi)
+
+
+class Observation(NamedTuple):
+    """One instant as a lesson sees it.
+
+    `turned` [rad]: how far the nose has turned to the right since it last pointed up;
+    `twist`: its turns to the right, not whole, since the attempt began; `pulling` [s]: for
+    how long the stick has been held nearly full; `touch`: the flight's first of the ground.
+    """
+
+    motion: Motion
+    sight: Sight
+    turned: float
+    twist: float
+    pulling: float
+    touch: Touch | None = None
+
+    @property
+    def upright(self) -> bool:
+        """Whether the nose points up, more or less."""
+        return abs(self.sight.heading) < UPRIGHT
+
+    @property
+    def falling(self) -> bool:
+        """Whether the kite will be in the grass before a beginner has thought."""
+        return -self.motion.body.p_G_E.z < THOUGHT * self.motion.body.v_G_E.z
+
+
+class Held:
+    """For how long [s] something has been so without a break."""
+
+    def __init__(self) -> None:
+        self._since = inf
+
+    def look(self, so: bool, t: float) -> float:
+        """Up to `t` [s]."""
+        self._since = min(self._since, t) if so else inf
+        return t - self._since if so else 0.0
+
+
+class Observer:
+    """Looks at the motions of one attempt, in order."""
+
+    def __init__(self, parameters: Parameters) -> None:
+        self._limit, self._twist, self._pull = parameters.stick.delta, Twist(), Held()
+        self._up: float | None = None  # turns of the nose when it last pointed up
+
+    def look(self, motion: Motion) -> Observation:
+        """The next instant; to be asked every half turn of the nose or more often."""
+        seen, twist = sight(motion), self._twist.look(motion)
+        pulling = self._pull.look(abs(motion.control.delta) > FULL * self._limit, motion.t)
+        nearest = twist - seen.heading / (2 * pi)
+        up = nearest if self._up is None else self._up
+        look = Observation(motion, seen, 2 * pi * (twist - up), twist, pulling)
+        self._up = nearest if look.upright else up
+        return look

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS, Array, X, Z
+from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS, X, Z
 from kitemj.dynamics.formulation import make_model
 from kitemj.flight.limits import SLACK, TOUCH, Ending, batch_numbers, departure_in
 from kitemj.flight.scenario import Scenario, scenario_of
+from kitemj.physics.compiled import Array
 from kitemj.physics.parameter_files import NAMED_BY
 from kitemj.physics.rig import Rig, rig_of
 from kitemj.registry import use

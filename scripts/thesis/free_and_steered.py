@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from kitemj.dynamics.batch import ALPHA, BETA, TENSIONS
-from kitemj.dynamics.batch import Array as Rows
 from kitemj.equilibria.modes import stability
 from kitemj.flight.limits import batch_numbers, departure_in
+from kitemj.physics.compiled import Array as Rows
 from kitemj.physics.parameters import Parameters
 from kitemj.tables import Cell, Table
 from thesis.forced_response import LAST, SineSteering, stability_threshold

@@ -6,7 +6,6 @@ from math import atan2, degrees, radians
 import numpy as np
 
 from kitemj.dynamics.batch import BETA
-from kitemj.dynamics.batch import Array as Rows
 from kitemj.dynamics.formulation import make_model
 from kitemj.equilibria.cycle import Cycle, cycle
 from kitemj.equilibria.minimal import state_of
@@ -14,6 +13,7 @@ from kitemj.equilibria.modes import crossings
 from kitemj.equilibria.trim import trimmed
 from kitemj.equilibria.vary import with_value
 from kitemj.flight.limits import TOUCH
+from kitemj.physics.compiled import Array as Rows
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import rest_ell

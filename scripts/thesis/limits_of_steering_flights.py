@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.dynamics.batch import BETA, Array
+from kitemj.dynamics.batch import BETA
 from kitemj.dynamics.motion import Motion
 from kitemj.equilibria.trim import equilibria
+from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import StickLimits
 from kitemj.plots.flight import Flight, flight_of_motions
 from thesis.programmed_steering import Schedule, lagrange_rows, scenario

@@ -8,12 +8,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from kitemj.dynamics.batch import Array
 from kitemj.dynamics.formulation import make_model
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import TOUCH
 from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import Scenario, scenario_of
+from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import StickLimits
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, Segment, Spline, control, rest_ell

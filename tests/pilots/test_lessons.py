@@ -13,12 +13,12 @@ from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.pilots import manoeuvres as pilots
-from kitemj.pilots.advice import Advice, Observation
+from kitemj.pilots.advice import Advice
 from kitemj.pilots.course import BLINK, LESSONS, PRAISED, Course
 from kitemj.pilots.crash import FirstTouch
 from kitemj.pilots.lessons import Eight
 from kitemj.pilots.manoeuvres import steer
-from kitemj.pilots.sight import Sight, sight, turned
+from kitemj.pilots.sight import Observation, Sight, sight, turned
 
 KEYS = [entry.key for entry in LESSONS]
 WINDS = (5.0, 6.5, 8.0)
