@@ -133,10 +133,7 @@ def modes(parameters: Parameters, linear: Linear) -> list[Mode]:
 
 
 def growth(
-    parameters: Parameters,
-    ell: float | None = None,
-    delta: float = 0.0,
-    model: str = "lagrange",
+    parameters: Parameters, ell: float | None = None, delta: float = 0.0, model: str = "lagrange"
 ) -> complex:
     """The least stable eigenvalue [1/s], imag >= 0; raises InputError without equilibrium."""
     x0 = trimmed(parameters, ell, delta)
