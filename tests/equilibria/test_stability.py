@@ -21,6 +21,7 @@ from kitemj.equilibria.linearise import (
 from kitemj.equilibria.maps import stability_map
 from kitemj.equilibria.minimal import Minimal, held
 from kitemj.equilibria.modes import MOTIONS, Crossing, crossings, growth, stability
+from kitemj.equilibria.tables import map_table
 from kitemj.equilibria.trim import trimmed
 from kitemj.equilibria.vary import parameter_names, value_of, with_value
 from kitemj.errors import InputError
@@ -253,7 +254,10 @@ def test_a_map_shows_what_single_points_do() -> None:
     assert found.omega[row, 3] == pytest.approx(single.imag, rel=1e-12)
     unstable = found.x.values[found.real[row] > 0]
     assert unstable.max() < lost(LAKSA).value < unstable.max() + 0.08
-    assert len(found.rows()) == 121
+    rows = map_table(found).rows
+    assert len(rows) == 121
+    point = (found.x.values[3], 7.0, found.real[row, 3], found.omega[row, 3])
+    assert rows[11 * row + 3] == point
 
 
 def test_every_named_parameter_can_be_set() -> None:
