@@ -79,7 +79,7 @@ def trim(scenario: Given, model: str = "lagrange") -> Results[Trim]:
     from kitemj.equilibria.tables import trim_table
     from kitemj.equilibria.trim import equilibria
 
-    return Results(equilibria(*_held(scenario), model, as_scenario(scenario).source), trim_table)
+    return Results(equilibria(*_held(scenario, model)), trim_table)
 
 
 def stability(scenario: Given, model: str = "lagrange") -> Stability:
@@ -89,7 +89,7 @@ def stability(scenario: Given, model: str = "lagrange") -> Stability:
     """
     from kitemj.equilibria.modes import stability
 
-    return stability(*_held(scenario), model, as_scenario(scenario).source)
+    return stability(*_held(scenario, model))
 
 
 def cycle(scenario: Given, model: str = "lagrange") -> Cycle:
@@ -99,7 +99,7 @@ def cycle(scenario: Given, model: str = "lagrange") -> Cycle:
     """
     from kitemj.equilibria.cycle import cycle
 
-    return cycle(*_held(scenario), model, as_scenario(scenario).source)
+    return cycle(*_held(scenario, model))
 
 
 def replay(recording: Recording | str | Path, model: str, step: float | None = None) -> Replay:
@@ -139,10 +139,8 @@ def sweep(
         with Journal(path, known) as journal:
             cost = tried(journal)
             flights = len(journal.done)
-            with (
-                executor_for(cost * (flights - journal.count), processes) as executor,
-                progress_bar("flights", flights, journal.count) as tell,
-            ):
+            bar = progress_bar("flights", flights, journal.count)
+            with executor_for(cost * (flights - journal.count), processes) as executor, bar as tell:
                 sweep(journal, executor, cost, tell)
             journal.write_table(path, overwrite=False)
         return StudyResult(known.base.source, parquet.read_table(path))
@@ -182,9 +180,9 @@ def film(
     return path
 
 
-def _held(scenario: Given) -> tuple[Any, float | None, float]:
-    """The parameters of a scenario, ℓ [m] and δ [rad] that its lines are held at."""
+def _held(scenario: Given, model: str) -> tuple[Any, float | None, float, str, str]:
+    """A scenario's parameters, ℓ [m] and δ [rad] its lines are held at, `model`, its source."""
     from kitemj.equilibria.trim import lines_held
 
     known = as_scenario(scenario)
-    return known.parameters, *lines_held(known.parameters, known.programme)
+    return known.parameters, *lines_held(known.parameters, known.programme), model, known.source

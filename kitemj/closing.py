@@ -1,6 +1,5 @@
 """What holds something of the system gives it back at the end of a ``with``."""
 
-from types import TracebackType
 from typing import Self
 
 
@@ -15,11 +14,6 @@ class Closing:
         """The thing itself."""
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         """Closes it."""
         self.close()

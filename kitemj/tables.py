@@ -26,18 +26,9 @@ PIPED = 200
 
 
 UNITS = {
-    "rad_s2": "rad/s²",
-    "m_s2": "m/s²",
-    "rad_per_s": "rad/s",
-    "rad_s": "rad/s",
-    "per_s": "1/s",
-    "m_s": "m/s",
-    "rad": "rad",
-    "deg": "deg",
-    "Hz": "Hz",
-    "s": "s",
-    "m": "m",
-    "N": "N",
+    **{"rad_s2": "rad/s²", "m_s2": "m/s²"},
+    **{"rad_per_s": "rad/s", "rad_s": "rad/s", "per_s": "1/s", "m_s": "m/s"},
+    **{unit: unit for unit in ("rad", "deg", "Hz", "s", "m", "N")},
 }
 """What a column's name ends in, and the unit that this means; the first that fits counts."""
 
@@ -101,9 +92,8 @@ class Results(list[T], Tabled):
 def check_format(path: Path) -> None:
     """Raises InputError for a name that says no known format."""
     if path.suffix.lower() not in FORMATS:
-        raise InputError(
-            f"{path.name} must end in one of {', '.join(FORMATS)} to say what to write"
-        )
+        known = ", ".join(FORMATS)
+        raise InputError(f"{path.name} must end in one of {known} to say what to write")
 
 
 def print_table(table: Table, most: int = WIDE) -> None:
@@ -113,15 +103,11 @@ def print_table(table: Table, most: int = WIDE) -> None:
     from rich.table import Table as Shown
 
     wide = len(table.columns) > most
-    shown = Shown(title=table.title, title_justify="left", box=box.SIMPLE, show_header=not wide)
-    if wide:
-        for name, *cells in zip(table.columns, *table.rows, strict=True):
-            shown.add_row(name, *(_text(cell) for cell in cells))
-    else:
-        for name in table.columns:
-            shown.add_column(name)
-        for row in table.rows:
-            shown.add_row(*(_text(cell) for cell in row))
+    columns = () if wide else table.columns
+    shown = Shown(*columns, title=table.title, title_justify="left", box=box.SIMPLE)
+    shown.show_header = not wide
+    for line in zip(table.columns, *table.rows, strict=True) if wide else table.rows:
+        shown.add_row(*map(_text, line))
     Console(width=None if Console().is_terminal else PIPED, markup=False).print(shown)
 
 
@@ -132,7 +118,7 @@ def _text(cell: Cell) -> str:
 def markdown(table: Table) -> str:
     """The table in Markdown, without its title."""
     lines = [table.columns, ["---"] * len(table.columns), *table.rows]
-    return "".join(f"| {' | '.join(_text(cell) for cell in line)} |\n" for line in lines)
+    return "".join(f"| {' | '.join(map(_text, line))} |\n" for line in lines)
 
 
 def json_text(tables: Iterable[Table], extra: Mapping[str, object]) -> str:

@@ -17,14 +17,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.equilibria.linearise import state_matrix, state_units
-from kitemj.equilibria.minimal import Array, Minimal, held, steps_for
+from kitemj.equilibria.minimal import Array, Minimal, steps_for
 from kitemj.equilibria.orbit import SAMPLES, Orbit, orbit
-from kitemj.equilibria.shooting import MOST_ROUNDS, STANDS, Closed, closed, monodromy, primitive
+from kitemj.equilibria.shooting import (
+    MOST_ROUNDS,
+    STANDS,
+    Closed,
+    Section,
+    closed,
+    monodromy,
+    primitive,
+)
 from kitemj.equilibria.trim import trimmed
 from kitemj.errors import InputError
 from kitemj.flight.limits import Departure, first_departure
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import Control, rest_ell
 from kitemj.tables import Cell, Table, Tabled
 
 NUDGE = 0.2
@@ -38,14 +45,8 @@ RETURNS = (1e-2, 1e-3, 1e-4, 1e-6)
 Newton's method is tried."""
 
 UNITS = {
-    "x_E": "m",
-    "y_E": "m",
-    "height": "m",
-    "airspeed": "m/s",
-    "speed": "m/s",
-    "tension_plus": "N",
-    "tension_minus": "N",
-    "tension_both": "N",
+    **{"x_E": "m", "y_E": "m", "height": "m", "airspeed": "m/s", "speed": "m/s"},
+    **{"tension_plus": "N", "tension_minus": "N", "tension_both": "N"},
 }
 """Of the quantities of an orbit; the others are angles, told in degrees."""
 
@@ -112,8 +113,7 @@ def cycle(
     `ell` [m] (None: ℓ₀), `delta` [rad]. Raises InputError where there is no equilibrium,
     where it is stable, and where no cycle was found.
     """
-    ell = rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
-    x_eq, control = trimmed(parameters, ell, delta, source), held(ell, delta)
+    x_eq, control = trimmed(parameters, ell, delta, source)
     lagrange = Minimal("lagrange", parameters)
     values, vectors = np.linalg.eig(state_matrix(lagrange, x_eq, control))
     worst = int(np.argmax(values.real))
@@ -125,48 +125,37 @@ def cycle(
     mode = vectors[:, worst]
     k = int(np.argmax(np.abs(mode[:4])))
     mode = (mode * np.exp(-1j * np.angle(mode[k]))).real
-    x, units = x_eq + NUDGE * mode / np.abs(mode[:4]).max(), state_units(parameters, ell)
-    t = 0.0
+    x, t = x_eq + NUDGE * mode / np.abs(mode[:4]).max(), 0.0
+    section = Section(x_eq, control, k, state_units(parameters, control.ell))
     for closeness in RETURNS:
-        x, T, t = _settled(lagrange, x, control, x_eq, k, closeness, t, source)
-        found = closed(lagrange, x, T, control, k, units)
-        if found and np.abs((found.x - x_eq) / units).max() > STANDS:
-            found = primitive(lagrange, found, control, k, units)
+        try:
+            x, T, t = _settled(lagrange, section, x, closeness, t)
+        except InputError as error:
+            raise InputError(f"no cycle found ({source}): {error}") from None
+        found = closed(lagrange, section, x, T)
+        if found and np.abs((found.x - x_eq) / section.units).max() > STANDS:
+            found = primitive(lagrange, section, found)
             break
     else:
         raise InputError(f"no cycle closes near the flight from the equilibrium ({source})")
     if model == "lagrange":
-        return _told(lagrange, found, control, units)
+        return _told(lagrange, section, found)
     kite = Minimal(model, parameters)
-    M = monodromy(lagrange, found.x, found.period, control, steps_for(found.period), units)
-    own = closed(kite, found.x, found.period, control, k, units, M)
+    own = closed(kite, section, found.x, found.period, _monodromy(lagrange, section, found))
     if own is None:
         raise InputError(f"the cycle does not close by the model {model} ({source})")
-    return _told(kite, own, control, units)
+    return _told(kite, section, own)
 
 
 def _settled(
-    kite: Minimal,
-    x: Array,
-    control: Control,
-    x_eq: Array,
-    k: int,
-    closeness: float,
-    t: float,
-    source: str,
+    kite: Minimal, section: Section, x: Array, closeness: float, t: float
 ) -> tuple[Array, float, float]:
     """Flies until the kite comes back to itself: x (8,) there, the period [s], the time [s].
 
-    kite: the model that flies
-    x: (8,) state to go on from, rad and rad/s
-    control: the lines, held
-    x_eq: (8,) the equilibrium, rad and rad/s
-    k: the coordinate that is looked at when it passes `x_eq`
-    closeness: by how much two passages may differ, in parts of the distance to `x_eq`
-    t: s, flown before
-    source: names the parameters in messages
+    Goes on from `x` (8,) [rad, rad/s] at `t` [s]. Two passages through the section may differ
+    by `closeness`, in parts of the distance to the equilibrium. Raises InputError.
     """
-    units = state_units(kite.parameters, control.ell)
+    x_eq, control, k, units = section
     returns: list[tuple[float, Array]] = []
     while t < PATIENCE:
         before, x, t = x, kite.flow(x, control, LOOK), t + LOOK
@@ -174,10 +163,8 @@ def _settled(
         x[:4] -= turns
         before = np.concatenate((before[:4] - turns, before[4:]))
         if not np.isfinite(x).all() or cos(x[1]) < 1e-3:
-            raise InputError(
-                f"no cycle found ({source}): the flight from the unstable equilibrium leaves "
-                f"the equations' domain after {t:.0f} s"
-            )
+            where = f"the equations' domain after {t:.0f} s"
+            raise InputError(f"the flight from the unstable equilibrium leaves {where}")
         if not (before[k] < x_eq[k] <= x[k] < x_eq[k] + 1):
             continue
         part = (x_eq[k] - before[k]) / (x[k] - before[k])
@@ -188,28 +175,22 @@ def _settled(
             change = np.linalg.norm((at - other) / units)
             if change < closeness * np.linalg.norm((at - x_eq) / units):
                 return at, returns[-1][0] - time, t
-    raise InputError(
-        f"no cycle found ({source}): the flight from the unstable equilibrium does not come "
-        f"back to itself within {PATIENCE:g} s"
-    )
+    known = f"does not come back to itself within {PATIENCE:g} s"
+    raise InputError(f"the flight from the unstable equilibrium {known}")
 
 
-def _told(kite: Minimal, found: Closed, control: Control, units: Array) -> Cycle:
+def _monodromy(kite: Minimal, section: Section, found: Closed) -> Array:
+    x, T, _ = found
+    return monodromy(kite, x, T, section.control, steps_for(T), section.units)
+
+
+def _told(kite: Minimal, section: Section, found: Closed) -> Cycle:
     x, T, gap = found
-    M = monodromy(kite, x, T, control, steps_for(T), units)
-    values = np.linalg.eigvals(M)
+    values = np.linalg.eigvals(_monodromy(kite, section, found))
     trivial = int(np.argmin(np.abs(values - 1)))
     rest = np.delete(values, trivial)
-    ordered = [*rest[np.argsort(-np.abs(rest))], values[trivial]]
-    flight = orbit(kite, x, T, control)
-    return Cycle(
-        kite.name,
-        T,
-        x,
-        np.array(ordered, dtype=complex),
-        float(abs(values[trivial] - 1)),
-        gap,
-        flight,
-        first_departure(kite.parameters, flight.motions[:SAMPLES]),
-        getattr(kite.parameters.aero, "V_ref", None),
-    )
+    ordered = np.array([*rest[np.argsort(-np.abs(rest))], values[trivial]], dtype=complex)
+    one, V_ref = float(abs(values[trivial] - 1)), getattr(kite.parameters.aero, "V_ref", None)
+    flight = orbit(kite, x, T, section.control)
+    departure = first_departure(kite.parameters, flight.motions[:SAMPLES])
+    return Cycle(kite.name, T, x, ordered, one, gap, flight, departure, V_ref)

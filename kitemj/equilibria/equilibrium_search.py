@@ -7,16 +7,14 @@ on a curve that meets no known one would be missed.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange import accelerations
+from kitemj.equilibria.minimal import Array
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
 from kitemj.physics.vectors import Vector, cross, dot
-
-Array = NDArray[np.float64]
 
 STEP = float(np.radians(2.0))
 """rad; along the curve in q."""
@@ -34,8 +32,7 @@ STEEPEST = float(np.radians(85.0))
 def _q_ddot(parameters: Parameters, c: Control, q: Array) -> Array:
     """q̈ (4,) [rad/s²] at rest, φ̈ last."""
     still = Angles(0.0, 0.0, 0.0, 0.0)
-    now = accelerations(parameters, c, 0.0, Angles(q[0], q[1], q[2], q[3]), still)
-    a = now.q_ddot
+    a = accelerations(parameters, c, 0.0, Angles(q[0], q[1], q[2], q[3]), still).q_ddot
     return np.array([a.gamma, a.eta, a.theta, a.phi])
 
 

@@ -10,36 +10,23 @@ extrapolation made, which is that of the first one, and the rounding of the diff
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
-from math import atan2, hypot
+from itertools import pairwise, product
+from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import air_of
-from kitemj.equilibria.minimal import Minimal
+from kitemj.equilibria.minimal import Array, Minimal, seen
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, line_motion
-
-Array = NDArray[np.float64]
 
 STATES = ("phi", "gamma", "eta", "theta", "phi_dot", "gamma_dot", "eta_dot", "theta_dot")
 """x [rad, rad/s]."""
 INPUTS = ("ell", "ell_dot", "ell_ddot", "delta", "delta_dot", "delta_ddot")
 """u [m, m/s, m/s², rad, rad/s, rad/s²]."""
 OUTPUTS = (
-    "tension_plus",
-    "tension_minus",
-    "alpha",
-    "beta",
-    "airspeed",
-    "elevation",
-    "azimuth",
-    "x_E",
-    "y_E",
-    "z_E",
-    "length_plus",
-    "length_minus",
+    *("tension_plus", "tension_minus", "alpha", "beta", "airspeed", "elevation", "azimuth"),
+    *("x_E", "y_E", "z_E", "length_plus", "length_minus"),
 )
 """y [N, N, rad, rad, m/s, rad, rad, m, m, m, m, m]; azimuth positive to the pilot's left."""
 
@@ -112,8 +99,7 @@ def outputs(kite: Minimal, x: Array, control: Control) -> tuple[Array, Array]:
     x_dot, (T_plus, T_minus), body = kite.answer(x, control)
     air, p, y_A = air_of(kite.parameters, body, 0.0), body.p_G_E, kite.parameters.kite.y_A
     lengths = (line_motion(y_A, control, side).length for side in (1.0, -1.0))
-    angles = (atan2(-p.z, hypot(p.x, p.y)), atan2(p.y, -p.x))
-    return x_dot, np.array([T_plus, T_minus, *air, *angles, *p, *lengths])
+    return x_dot, np.array([T_plus, T_minus, *air, *seen(p), *p, *lengths])
 
 
 def state_matrix(kite: Minimal, x0: Array, control: Control) -> Array:
@@ -129,14 +115,10 @@ def linearise(kite: Minimal, x0: Array, control: Control) -> Linear:
         return np.concatenate(outputs(kite, z[:8], Control(*map(float, z[8:]))))
 
     V, ell = kite.parameters.wind.speed, control.ell
-    units = np.array(
-        [*state_units(kite.parameters, ell), ell, V, LINEAR, 1.0, V / ell, LINEAR / ell]
-    )
+    inputs = (ell, V, LINEAR, 1.0, V / ell, LINEAR / ell)
+    units = np.array([*state_units(kite.parameters, ell), *inputs])
     J, error = jacobian(everything, np.array([*x0, *control]), units)
     y0 = outputs(kite, x0, control)[1]
-    blocks = [m[rows, columns] for m in (J, error) for rows, columns in _BLOCKS]
+    parts = list(product((slice(8), slice(8, None)), repeat=2))
+    blocks = [m[rows, columns] for m in (J, error) for rows, columns in parts]
     return Linear(kite.name, x0, control, y0, *blocks)
-
-
-_X, _U = slice(0, 8), slice(8, None)
-_BLOCKS = ((_X, _X), (_X, _U), (_U, _X), (_U, _U))

@@ -3,14 +3,12 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from kitemj.equilibria.modes import growth
+from kitemj.equilibria.minimal import Array
+from kitemj.equilibria.modes import growth_or_nan
 from kitemj.equilibria.vary import check_range, unit_of, with_value
 from kitemj.errors import InputError
 from kitemj.physics.parameters import Parameters
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -35,14 +33,6 @@ class StabilityMap:
     real: Array
     omega: Array
     V_ref: float | None
-
-    def rows(self) -> list[tuple[float, float, float, float]]:
-        """(x, y, real, omega) of every point."""
-        return [
-            (float(x), float(y), float(self.real[j, i]), float(self.omega[j, i]))
-            for j, y in enumerate(self.y.values)
-            for i, x in enumerate(self.x.values)
-        ]
 
 
 def stability_map(
@@ -78,19 +68,10 @@ def stability_map(
     for j, y_value in enumerate(axes[1].values):
         row = with_value(parameters, y[0], float(y_value))
         for i, x_value in enumerate(axes[0].values):
-            values[j, i] = _growth(with_value(row, x[0], float(x_value)), ell, delta)
+            values[j, i] = growth_or_nan(with_value(row, x[0], float(x_value)), ell, delta)
     if np.isnan(values.real).all():
-        raise InputError(
-            f"there is no equilibrium anywhere in {x[0]} {x[1]:g} to {x[2]:g}, "
-            f"{y[0]} {y[1]:g} to {y[2]:g}; give other ranges"
-        )
+        where = ", ".join(f"{name} {low:g} to {high:g}" for name, low, high in (x, y))
+        raise InputError(f"there is no equilibrium anywhere in {where}; give other ranges")
     varied = "aero.V_ref" in (x[0], y[0])
     V_ref = None if varied else getattr(parameters.aero, "V_ref", None)
     return StabilityMap(axes[0], axes[1], values.real.copy(), values.imag.copy(), V_ref)
-
-
-def _growth(parameters: Parameters, ell: float | None, delta: float) -> complex:
-    try:
-        return growth(parameters, ell, delta)
-    except InputError:
-        return complex(np.nan, np.nan)

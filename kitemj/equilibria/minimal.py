@@ -3,7 +3,7 @@
 Time does not occur: the wind has no gusts here, and the lines are held or move as told.
 """
 
-from math import ceil
+from math import atan2, ceil, hypot
 from typing import NamedTuple
 
 import numpy as np
@@ -15,6 +15,7 @@ from kitemj.errors import FlightError
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Segment
+from kitemj.physics.vectors import Vector
 
 Array = NDArray[np.float64]
 
@@ -84,6 +85,11 @@ def state_of(x: Array) -> State:
 def steps_for(duration: float) -> int:
     """The number of steps, each at most FLOW_STEP long."""
     return max(1, ceil(duration / FLOW_STEP - 1e-9))
+
+
+def seen(p: Vector) -> tuple[float, float]:
+    """Elevation and azimuth [rad] of `p` [m] from O_E; the azimuth is positive to the left."""
+    return atan2(-p.z, hypot(p.x, p.y)), atan2(p.y, -p.x)
 
 
 def held(ell: float, delta: float = 0.0) -> Control:

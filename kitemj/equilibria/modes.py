@@ -15,16 +15,13 @@ from scipy.optimize import brentq
 
 from kitemj.dynamics.lagrange import body
 from kitemj.equilibria.linearise import Linear, linearise, state_matrix
-from kitemj.equilibria.minimal import Minimal, held, state_of
+from kitemj.equilibria.minimal import Array, Minimal, state_of
 from kitemj.equilibria.trim import trimmed
 from kitemj.equilibria.vary import check_range, unit_of, with_value
 from kitemj.errors import InputError
 from kitemj.physics.frames import R_1E, Angles
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import rest_ell
 from kitemj.tables import Table, Tabled
-
-Array = NDArray[np.float64]
 
 POINTS = 81
 """Of a range in which changes of stability are looked for."""
@@ -68,15 +65,8 @@ class Stability(Tabled):
     def tables(self) -> list[Table]:
         """A row for each mode, least stable first."""
         columns = (
-            "model",
-            "mode",
-            "real_per_s",
-            "imag_rad_per_s",
-            "frequency_Hz",
-            "damping",
-            "time_constant_s",
-            "error_per_s",
-            *(f"share_{motion}" for motion in MOTIONS),
+            *("model", "mode", "real_per_s", "imag_rad_per_s", "frequency_Hz", "damping"),
+            *("time_constant_s", "error_per_s", *(f"share_{motion}" for motion in MOTIONS)),
         )
         model = self.linear.model
         return [Table("modes", columns, [(model, m.name, *m[:6], *m.shares) for m in self.modes])]
@@ -110,9 +100,7 @@ def stability(
 
     `ell` [m] (None: ℓ₀), `delta` [rad]. Raises InputError where there is no equilibrium.
     """
-    x0 = trimmed(parameters, ell, delta, source)
-    control = held(_ell(parameters, ell), delta)
-    linear = linearise(Minimal(model, parameters), x0, control)
+    linear = linearise(Minimal(model, parameters), *trimmed(parameters, ell, delta, source))
     V_ref = getattr(parameters.aero, "V_ref", None)
     return Stability(linear, modes(parameters, linear), V_ref)
 
@@ -125,25 +113,30 @@ def modes(parameters: Parameters, linear: Linear) -> list[Mode]:
     for i in np.argsort(-values.real):
         if values[i].imag < 0:
             continue
-        r = vectors[:, i]
-        error = np.abs(rows[i]) @ linear.A_error @ np.abs(r)
-        shares = energy_shares(parameters, linear, r)
+        error = np.abs(rows[i]) @ linear.A_error @ np.abs(vectors[:, i])
+        shares = energy_shares(parameters, linear, vectors[:, i])
         found.append(_mode(complex(values[i]), float(error), shares))
     return found
 
 
 def growth(
-    parameters: Parameters,
-    ell: float | None = None,
-    delta: float = 0.0,
-    model: str = "lagrange",
+    parameters: Parameters, ell: float | None = None, delta: float = 0.0, model: str = "lagrange"
 ) -> complex:
     """The least stable eigenvalue [1/s], imag >= 0; raises InputError without equilibrium."""
-    x0 = trimmed(parameters, ell, delta)
-    control = held(_ell(parameters, ell), delta)
+    x0, control = trimmed(parameters, ell, delta)
     values = np.linalg.eigvals(state_matrix(Minimal(model, parameters), x0, control))
     worst = complex(values[np.argmax(values.real)])
     return complex(worst.real, abs(worst.imag))
+
+
+def growth_or_nan(
+    parameters: Parameters, ell: float | None, delta: float, model: str = "lagrange"
+) -> complex:
+    """`growth`; not a number where there is no equilibrium."""
+    try:
+        return growth(parameters, ell, delta, model)
+    except InputError:
+        return complex(np.nan, np.nan)
 
 
 def crossings(
@@ -172,39 +165,26 @@ def crossings(
     """
     check_range(parameters, name, low, high)
 
-    def real(value: float) -> float:
-        return growth(with_value(parameters, name, value), ell, delta, model).real
+    def varied(value: float) -> Parameters:
+        return with_value(parameters, name, value)
 
-    def real_or_nan(value: float) -> float:
-        try:
-            return real(value)
-        except InputError:
-            return float("nan")
+    def real(value: float) -> float:
+        return growth(varied(value), ell, delta, model).real
 
     grid = np.linspace(low, high, POINTS)
-    reals = np.array([real_or_nan(float(value)) for value in grid])
-    changes = [
-        i
-        for i in np.flatnonzero((reals[:-1] < 0) != (reals[1:] < 0))
-        if np.isfinite(reals[i : i + 2]).all()
-    ]
-    if not changes:
+    reals = np.array([growth_or_nan(varied(float(v)), ell, delta, model).real for v in grid])
+    changed = ((reals[:-1] < 0) != (reals[1:] < 0)) & np.isfinite(reals[:-1] + reals[1:])
+    if not changed.any():
         raise _no_change(parameters, name, grid, reals)
     found = []
-    for i in changes:
+    for i in np.flatnonzero(changed):
         value = float(brentq(real, grid[i], grid[i + 1], xtol=1e-13, rtol=1e-12))
-        there = with_value(parameters, name, value)
-        x0, control = trimmed(there, ell, delta), held(_ell(there, ell), delta)
-        least = modes(there, linearise(Minimal(model, there), x0, control))[0]
+        least = stability(varied(value), ell, delta, model).modes[0]
         unit, above = unit_of(parameters, name), bool(reals[i + 1] < 0)
         omega, what = least.imag, least.name.rsplit(" ", 1)[0]
         mode = f"{what} {'swing' if omega > 0 else 'drift'}"
         found.append(Crossing(name, value, unit, omega, omega / (2 * pi), mode, above, model))
     return found
-
-
-def _ell(parameters: Parameters, ell: float | None) -> float:
-    return rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
 
 
 def _no_change(parameters: Parameters, name: str, grid: Array, reals: Array) -> InputError:
@@ -226,18 +206,10 @@ def _no_change(parameters: Parameters, name: str, grid: Array, reals: Array) -> 
 def _mode(value: complex, error: float, shares: tuple[float, ...]) -> Mode:
     order = np.argsort(-np.array(shares))
     real, imag, size = value.real, abs(value.imag), abs(value)
+    damping, time_constant = -real / size if size else 0.0, 1 / abs(real) if real else float("inf")
     how = "swing" if imag > 0 else "decay" if real < 0 else "growth"
-    what = " + ".join(MOTIONS[i] for i in order if shares[i] >= SHARE)
-    return Mode(
-        real,
-        imag,
-        imag / (2 * pi),
-        -real / size if size else 0.0,
-        1 / abs(real) if real else float("inf"),
-        error,
-        f"{what} {how}",
-        shares,
-    )
+    name = f"{' + '.join(MOTIONS[i] for i in order if shares[i] >= SHARE)} {how}"
+    return Mode(real, imag, imag / (2 * pi), damping, time_constant, error, name, shares)
 
 
 def energy_shares(
@@ -254,11 +226,7 @@ def energy_shares(
         moved = body(parameters, q, Angles(*map(float, part)), linear.control)
         v, w = np.array(moved.v_G_E), moved.omega_B
         across = float(sideways @ v)
-        energy += (
-            kite.mass * across**2,
-            kite.mass * (float(v @ v) - across**2),
-            kite.inertia_x * w.x**2,
-            kite.inertia_y * w.y**2,
-            kite.inertia_z * w.z**2,
-        )
+        sway, heave = kite.mass * across**2, kite.mass * (float(v @ v) - across**2)
+        turns = (kite.inertia_x * w.x**2, kite.inertia_y * w.y**2, kite.inertia_z * w.z**2)
+        energy += (sway, heave, *turns)
     return tuple((energy / energy.sum()).tolist())

@@ -1,12 +1,12 @@
 """One round of a closed orbit: its motions, and the range of what people ask about."""
 
-from math import atan2, hypot
+from math import hypot
 from typing import NamedTuple
 
 import numpy as np
 
 from kitemj.dynamics.motion import Motion
-from kitemj.equilibria.minimal import Array, Minimal
+from kitemj.equilibria.minimal import Array, Minimal, seen
 from kitemj.physics.steering import Control
 
 SAMPLES = 480
@@ -74,7 +74,5 @@ def _peak(values: Array) -> float:
 def _row(motion: Motion) -> list[float]:
     """The values of one motion in the order of `Orbit`."""
     p, v, T = motion.body.p_G_E, motion.body.v_G_E, motion.tensions
-    elevation, azimuth = atan2(-p.z, hypot(p.x, p.y)), atan2(p.y, -p.x)
-    speed = hypot(v.x, v.y, v.z)
-    angles = [*(motion.q or ()), motion.air.alpha, motion.air.beta, elevation, azimuth]
-    return [*angles, p.x, p.y, -p.z, motion.air.speed, speed, *T, sum(T)]
+    angles = [*(motion.q or ()), motion.air.alpha, motion.air.beta, *seen(p)]
+    return [*angles, p.x, p.y, -p.z, motion.air.speed, hypot(v.x, v.y, v.z), *T, sum(T)]

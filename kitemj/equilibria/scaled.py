@@ -1,7 +1,6 @@
 """The residual of an equilibrium: scaled equations of motion at q̇ = 0, for any model."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange import body
 from kitemj.equilibria.minimal import Array, state_of
@@ -13,19 +12,11 @@ from kitemj.physics.steering import Control
 def mass_matrix(parameters: Parameters, x: Array, control: Control) -> Array:
     """M (4, 4) [kg m²] of the kinetic energy ½ q̇ᵀ M q̇ at `x` (8,) with the lines held."""
     kite, (q, _) = parameters.kite, state_of(x)
-    columns = []
-    for e in np.eye(4):
-        moving = body(parameters, q, Angles(*map(float, e)), control)
-        columns.append((*moving.v_G_E, *moving.omega_B))
-    J = np.array(columns).T
-    inertia = np.array(
-        [
-            [kite.inertia_x, 0.0, -kite.inertia_xz],
-            [0.0, kite.inertia_y, 0.0],
-            [-kite.inertia_xz, 0.0, kite.inertia_z],
-        ]
-    )
-    M: NDArray[np.float64] = kite.mass * J[:3].T @ J[:3] + J[3:].T @ inertia @ J[3:]
+    moving = [body(parameters, q, Angles(*map(float, e)), control) for e in np.eye(4)]
+    J = np.array([(*each.v_G_E, *each.omega_B) for each in moving]).T
+    inertia = np.diag([kite.inertia_x, kite.inertia_y, kite.inertia_z])
+    inertia[0, 2] = inertia[2, 0] = -kite.inertia_xz
+    M: Array = kite.mass * J[:3].T @ J[:3] + J[3:].T @ inertia @ J[3:]
     return M
 
 

@@ -22,6 +22,18 @@ DIFFERENCE = 1e-4
 """Of `state_units`; moves the start for the monodromy matrix."""
 
 
+class Section(NamedTuple):
+    """Where orbits are closed: coordinate `k` as at the equilibrium `x_eq` (8,) [rad, rad/s].
+
+    `control`: the lines, held; `units` (8,): changes of x that matter.
+    """
+
+    x_eq: Array
+    control: Control
+    k: int
+    units: Array
+
+
 class Closed(NamedTuple):
     """A state `x` (8,) that comes back after `period` [s] but for `gap`, scaled."""
 
@@ -54,28 +66,15 @@ def monodromy(
 
 
 def closed(
-    kite: Minimal,
-    x: Array,
-    T: float,
-    control: Control,
-    k: int,
-    units: Array,
-    M: Array | None = None,
+    kite: Minimal, section: Section, x: Array, T: float, M: Array | None = None
 ) -> Closed | None:
-    """The closed orbit near a state.
+    """The closed orbit near the state `x` (8,) [rad, rad/s] and the period `T` [s].
 
-    kite: the model that flies
-    x: (8,) state near the orbit, rad and rad/s
-    T: s, near its period
-    control: the lines, held
-    k: the coordinate of `x` that is kept
-    units: (8,) of `x`
-    M: (8, 8) monodromy matrix to use throughout (one of another model will do); None: that of
-        each iterate
-
-    Returns None where Newton's method does not reach `CLOSED`, or runs away.
+    `M` (8, 8): a monodromy matrix to use throughout (one of another model will do); None: that
+    of each iterate. Returns None where Newton's method does not reach `CLOSED`, or runs away.
     """
     steps, near, best = steps_for(T), T, Closed(x, T, np.inf)
+    _, control, k, units = section
     free = [i for i in range(8) if i != k]
     for _ in range(12):
         end = kite.flow(x, control, T, steps)
@@ -97,10 +96,11 @@ def closed(
     return best if best.gap < CLOSED else None
 
 
-def primitive(kite: Minimal, found: Closed, control: Control, k: int, units: Array) -> Closed:
+def primitive(kite: Minimal, section: Section, found: Closed) -> Closed:
     """The same orbit flown once: the flight may have been seen to return after several rounds."""
     for rounds in range(MOST_ROUNDS, 1, -1):
         T = found.period / rounds
-        if np.abs((kite.flow(found.x, control, T) - found.x) / units).max() < STANDS:
-            return closed(kite, found.x, T, control, k, units) or found
+        moved = kite.flow(found.x, section.control, T) - found.x
+        if np.abs(moved / section.units).max() < STANDS:
+            return closed(kite, section, found.x, T) or found
     return found

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from math import degrees
 
+import numpy as np
+
 from kitemj.equilibria.linearise import INPUTS, OUTPUTS, STATES, Linear
 from kitemj.equilibria.maps import StabilityMap
 from kitemj.equilibria.modes import Crossing
@@ -12,49 +14,22 @@ from kitemj.tables import Cell, Table
 
 def v_ref_note(V_ref: float | None) -> str:
     """The convention that moves the threshold of C_lβ by half, in one sentence; or nothing."""
-    if V_ref is None:
-        return ""
-    return (
-        f"rates are scaled by aero.V_ref = {V_ref:g} m/s, a fixed number of the set that does "
-        f"not follow the wind"
-    )
+    fixed = "a fixed number of the set that does not follow the wind"
+    return "" if V_ref is None else f"rates are scaled by aero.V_ref = {V_ref:g} m/s, {fixed}"
 
 
 def trim_table(trims: Sequence[Trim]) -> Table:
     """A row for each equilibrium and model."""
     columns = (
-        "model",
-        "alpha_deg",
-        "beta_deg",
-        "phi_rad",
-        "gamma_rad",
-        "eta_rad",
-        "theta_rad",
-        "elevation_deg",
-        "azimuth_deg",
-        "height_m",
-        "tension_plus_N",
-        "tension_minus_N",
-        "ell_m",
-        "delta_rad",
-        "residual",
+        *("model", "alpha_deg", "beta_deg", "phi_rad", "gamma_rad", "eta_rad", "theta_rad"),
+        *("elevation_deg", "azimuth_deg", "height_m", "tension_plus_N", "tension_minus_N"),
+        *("ell_m", "delta_rad", "residual"),
     )
-    rows: list[tuple[Cell, ...]] = [
-        (
-            trim.model,
-            degrees(trim.alpha),
-            degrees(trim.beta),
-            *trim.q,
-            degrees(trim.elevation),
-            degrees(trim.azimuth),
-            trim.height,
-            *trim.tensions,
-            trim.ell,
-            trim.delta,
-            trim.residual,
-        )
-        for trim in trims
-    ]
+    rows = list[tuple[Cell, ...]]()
+    for trim in trims:
+        air, seen = (trim.alpha, trim.beta), (trim.elevation, trim.azimuth)
+        pose = (*map(degrees, air), *trim.q, *map(degrees, seen), trim.height)
+        rows.append((trim.model, *pose, *trim.tensions, trim.ell, trim.delta, trim.residual))
     return Table("equilibria", columns, rows)
 
 
@@ -62,17 +37,8 @@ def crossing_table(found: list[Crossing]) -> Table:
     """A row for each change of stability."""
     columns = ("model", "parameter", "value", "unit", "omega_rad_per_s", "frequency_Hz", "mode")
     rows: list[tuple[Cell, ...]] = [
-        (
-            c.model,
-            c.parameter,
-            c.value,
-            c.unit,
-            c.omega,
-            c.frequency,
-            c.mode,
-            "above" if c.above else "below",
-        )
-        for c in found
+        (crossing.model, *crossing[:6], "above" if crossing.above else "below")
+        for crossing in found
     ]
     return Table("changes of stability", (*columns, "stable"), rows)
 
@@ -80,7 +46,9 @@ def crossing_table(found: list[Crossing]) -> Table:
 def map_table(found: StabilityMap) -> Table:
     """A row for each point; not-a-number where there is no equilibrium."""
     columns = (found.x.name, found.y.name, "real_per_s", "imag_rad_per_s")
-    return Table("stability map", columns, list(found.rows()))
+    values = (*np.meshgrid(found.x.values, found.y.values), found.real, found.omega)
+    rows = zip(*(each.ravel().tolist() for each in values), strict=True)
+    return Table("stability map", columns, list(rows))
 
 
 def matrices(linear: Linear) -> dict[str, object]:

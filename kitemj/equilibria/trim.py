@@ -6,16 +6,15 @@ these there, and those to the side of either by following a curve through them
 (`kitemj.equilibria.equilibrium_search`). The model then solves q̈(q, 0) = 0 itself.
 """
 
-from math import atan2, degrees, hypot, isfinite
+from math import degrees, isfinite
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.dynamics.lagrange_kite import motion_at
 from kitemj.dynamics.motion import State, air_of
 from kitemj.equilibria.equilibrium_search import beside
-from kitemj.equilibria.minimal import Minimal, held, state_of
+from kitemj.equilibria.minimal import Array, Minimal, held, seen, state_of
 from kitemj.equilibria.scaled import residual
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import check_steady, no_equilibrium, symmetric_equilibria
@@ -78,16 +77,12 @@ def equilibria(
     InputError, with one sentence that names `source`, where there is none, for a wind with
     gusts or of 0 m/s, and for an unknown model.
     """
-    ell = rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
+    ell = _rest_ell(parameters) if ell is None else ell
     check_steady(parameters, source)
     if abs(delta) >= 1.5:
         raise InputError(f"delta must be within +-1.5 rad, got {delta} rad ({source})")
     kite = Minimal(model, parameters)
-    straight = [
-        np.array([parameters.wind.azimuth, e.gamma, 0.0, e.theta])
-        for e in symmetric_equilibria(parameters, ell)
-    ]
-    lines = held(ell, delta)
+    straight, lines = _symmetric(parameters, ell), held(ell, delta)
     if delta != 0.0:
         straight = [q for q in (_steered(parameters, ell, delta, q) for q in straight) if q.size]
     further = [q for known in straight for q in beside(parameters, lines, known)]
@@ -97,9 +92,10 @@ def equilibria(
         trim = solved(kite, q, lines)
         if trim is None or any(_same(trim, other) for other in found):
             continue
-        reason = unphysical(parameters, trim.state, lines)
-        if reason:
-            fault = fault or _told(trim, reason)
+        if reason := unphysical(parameters, trim.state, lines):
+            elevation, alpha = degrees(trim.elevation), degrees(trim.alpha)
+            where = f"at elevation {elevation:.2f} deg, alpha {alpha:.2f} deg"
+            fault = fault or f"{where}, {reason}"
         else:
             found.append(trim)
     if found:
@@ -126,24 +122,23 @@ def lines_held(parameters: Parameters, programme: Programme) -> tuple[float | No
     """
     c = control(programme, 0.0)
     ell, delta = (programme[:2]) if isinstance(programme, Sines) else (c.ell, c.delta)
-    rest = rest_ell(parameters.lines.length, parameters.kite.y_A)
-    return (None if ell == rest else float(ell)), float(delta)
+    return (None if ell == _rest_ell(parameters) else float(ell)), float(delta)
 
 
 def trimmed(
     parameters: Parameters, ell: float | None = None, delta: float = 0.0, source: str = "parameters"
-) -> NDArray[np.float64]:
-    """x (8,) = (q, 0) of the equilibrium of least α; what stability is asked about.
+) -> tuple[Array, Control]:
+    """x (8,) = (q, 0) of the equilibrium of least α, which stability is asked about; the lines.
 
     Fast: with δ = 0 from the scalar equation alone, else led from there to δ. Raises
     InputError where there is none.
     """
-    ell = rest_ell(parameters.lines.length, parameters.kite.y_A) if ell is None else ell
+    ell = _rest_ell(parameters) if ell is None else ell
     check_steady(parameters, source)
-    found = symmetric_equilibria(parameters, ell)
+    found, lines = _symmetric(parameters, ell), held(ell, delta)
     if not found:
         raise no_equilibrium(parameters, ell, source)
-    q = np.array([parameters.wind.azimuth, found[0].gamma, 0.0, found[0].theta])
+    q = found[0]
     if delta != 0.0:
         q = _steered(parameters, ell, delta, q)
         if not q.size:
@@ -152,19 +147,19 @@ def trimmed(
                 f"hold a smaller delta"
             )
     x = np.concatenate((q, np.zeros(4)))
-    reason = unphysical(parameters, state_of(x), held(ell, delta))
+    reason = unphysical(parameters, state_of(x), lines)
     if reason:
         raise InputError(f"there is no physical equilibrium ({source}): {reason}")
-    return x
+    return x, lines
 
 
-def solved(kite: Minimal, start: NDArray[np.float64], control: Control) -> Trim | None:
+def solved(kite: Minimal, start: Array, control: Control) -> Trim | None:
     """The model's own equilibrium next to `start` (4,) [rad], by Newton's method.
 
     None where it does not reach `RESIDUAL`.
     """
 
-    def q_ddot(q: NDArray[np.float64]) -> NDArray[np.float64]:
+    def q_ddot(q: Array) -> Array:
         return kite.answer(np.concatenate((q, np.zeros(4))), control).x_dot[4:]
 
     q = best = start
@@ -184,24 +179,14 @@ def solved(kite: Minimal, start: NDArray[np.float64], control: Control) -> Trim 
     return trim if trim.residual <= RESIDUAL else None
 
 
-def trim_at(kite: Minimal, q: NDArray[np.float64], control: Control) -> Trim:
+def trim_at(kite: Minimal, q: Array, control: Control) -> Trim:
     """The angles, tensions and limits of the equilibrium at `q` (4,) [rad]."""
     x = np.concatenate((q, np.zeros(4)))
     answer = kite.answer(x, control)
     p, air = answer.body.p_G_E, air_of(kite.parameters, answer.body, 0.0)
-    return Trim(
-        kite.name,
-        Angles(*map(float, q)),
-        air.alpha,
-        air.beta,
-        atan2(-p.z, hypot(p.x, p.y)),
-        atan2(p.y, -p.x),
-        -p.z,
-        answer.tensions,
-        residual(kite.parameters, x, answer.x_dot, control),
-        control.ell,
-        control.delta,
-    )
+    angles = (Angles(*map(float, q)), air.alpha, air.beta, *seen(p))
+    left_over = residual(kite.parameters, x, answer.x_dot, control)
+    return Trim(kite.name, *angles, -p.z, answer.tensions, left_over, control.ell, control.delta)
 
 
 def unphysical(parameters: Parameters, state: State, control: Control) -> str:
@@ -211,9 +196,17 @@ def unphysical(parameters: Parameters, state: State, control: Control) -> str:
     return f"{departure.limit.sentence} ({departure.reading})" if departure else ""
 
 
-def _steered(
-    parameters: Parameters, ell: float, delta: float, q: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _rest_ell(parameters: Parameters) -> float:
+    return rest_ell(parameters.lines.length, parameters.kite.y_A)
+
+
+def _symmetric(parameters: Parameters, ell: float) -> list[Array]:
+    """q (4,) [rad] of the symmetric equilibria, by ascending α."""
+    azimuth, found = parameters.wind.azimuth, symmetric_equilibria(parameters, ell)
+    return [np.array([azimuth, each.gamma, 0.0, each.theta]) for each in found]
+
+
+def _steered(parameters: Parameters, ell: float, delta: float, q: Array) -> Array:
     """The equilibrium `q` (4,) at δ = 0 led to `delta` [rad]; empty where it is lost."""
     kite = Minimal("lagrange", parameters)
     for part in np.linspace(0.0, 1.0, STEPS + 1)[1:]:
@@ -227,8 +220,3 @@ def _steered(
 def _same(a: Trim, b: Trim) -> bool:
     turn = (np.subtract(a.q, b.q) + np.pi) % (2 * np.pi) - np.pi
     return bool(np.abs(turn).max() < SAME)
-
-
-def _told(trim: Trim, reason: str) -> str:
-    elevation, alpha = degrees(trim.elevation), degrees(trim.alpha)
-    return f"at elevation {elevation:.2f} deg, alpha {alpha:.2f} deg, {reason}"

@@ -11,8 +11,6 @@ from kitemj.errors import InputError
 
 Point = dict[str, Any]
 """Dotted names (``wind.speed``, ``model``) and the values that one flight gives them."""
-
-
 MOST = 10_000_000
 """Flights in a study; a week of a desktop's cores."""
 
@@ -23,14 +21,12 @@ class Choices:
     def __init__(self, points: Sequence[Point]) -> None:
         self.points, self.count = points, len(points)
         self.names = list(dict.fromkeys(name for point in points for name in point))
+        others = {name for point in points for name in point if not _number(point[name])}
+        self.numbers = {*self.names} - others
 
     def point(self, i: int) -> Point:
         """The point `i`, from 0 on."""
         return self.points[i]
-
-    def is_number(self, name: str) -> bool:
-        """Whether every value that `name` is given is a number."""
-        return all(_number(point[name]) for point in self.points if name in point)
 
 
 class Hypercube:
@@ -38,7 +34,7 @@ class Hypercube:
 
     def __init__(self, count: int, seed: int, ranges: Mapping[str, tuple[float, float]]) -> None:
         self.count, self.seed, self.ranges = count, seed, dict(ranges)
-        self.names = list(ranges)
+        self.names, self.numbers = list(ranges), set(ranges)
 
     @cached_property
     def _samples(self) -> Any:
@@ -52,18 +48,18 @@ class Hypercube:
         """The point `i`, from 0 on."""
         return dict(zip(self.names, self._samples[i].tolist(), strict=True))
 
-    def is_number(self, name: str) -> bool:
-        """Whether every value that `name` is given is a number."""
-        return name in self.ranges
-
 
 class Design:
-    """Every combination of the `factors`; the last one changes the quickest."""
+    """Every combination of the `factors`; the last one changes the quickest.
+
+    `names` of what is varied; `numbers`: those of them that are given numbers only.
+    """
 
     def __init__(self, factors: Sequence[Choices | Hypercube]) -> None:
         self.factors = factors
         self.count = prod(factor.count for factor in factors)
         self.names = [name for factor in factors for name in factor.names]
+        self.numbers = {name for factor in factors for name in factor.numbers}
 
     def point(self, flight: int) -> Point:
         """The values given to flight `flight`, from 0 on."""
@@ -72,10 +68,6 @@ class Design:
             flight, i = divmod(flight, factor.count)
             point = {**factor.point(i), **point}
         return point
-
-    def is_number(self, name: str) -> bool:
-        """Whether every value that `name` is given is a number."""
-        return any(name in each.names and each.is_number(name) for each in self.factors)
 
 
 def design_of(tables: Mapping[str, Any], source: str) -> Design:
@@ -132,17 +124,14 @@ def _list(entries: Any, source: str) -> list[Point]:
 def _axis(name: str, values: Any, source: str) -> list[Any]:
     if isinstance(values, Mapping):
         if set(values) != {"from", "to", "count"}:
-            raise InputError(
-                f"grid.{name} must have from, to and count, got {', '.join(values)} ({source})"
-            )
+            got = ", ".join(values)
+            raise InputError(f"grid.{name} must have from, to and count, got {got} ({source})")
         low, high = _ends((values["from"], values["to"]), f"grid.{name}", source)
         count = _count(values["count"], f"grid.{name}.count", source)
         return list(map(float, np.linspace(low, high, count)))
     if not isinstance(values, list):
-        raise InputError(
-            f"grid.{name} must be a list of values or {{ from, to, count }}, got {values!r} "
-            f"({source})"
-        )
+        known = "a list of values or { from, to, count }"
+        raise InputError(f"grid.{name} must be {known}, got {values!r} ({source})")
     if not values:
         raise InputError(f"grid.{name} is empty: give it one value or more ({source})")
     return values
@@ -171,9 +160,8 @@ def _count(value: Any, name: str, source: str) -> int:
 def _ends(value: Any, name: str, source: str) -> tuple[float, float]:
     pair = isinstance(value, (list, tuple)) and len(value) == 2
     if not pair or not all(_number(end) for end in value) or not value[0] < value[1]:
-        raise InputError(
-            f"{name} must be two numbers, the lower one first, got {value!r} ({source})"
-        )
+        known = "two numbers, the lower one first"
+        raise InputError(f"{name} must be {known}, got {value!r} ({source})")
     return float(value[0]), float(value[1])
 
 

@@ -2,12 +2,12 @@
 
 import os
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from multiprocessing import get_context, parent_process
 from threading import Thread
-from typing import Any, Protocol
+from typing import Any
 
 from kitemj.errors import InputError
 from kitemj.studies.design import Point
@@ -21,60 +21,51 @@ SHORT = 5.0
 """s of work, for which it takes longer to start processes (some 3 s) and fly there."""
 
 
-class StudyExecutor(Protocol):
-    """Workers that fly what they are given; `deaths` are what a lost worker raises."""
+class StudyExecutor:
+    """Workers of a `pool` that fly what they are given; `deaths` are what a lost worker raises."""
 
-    workers: int
-    name: str
-    deaths: tuple[type[BaseException], ...]
+    def __init__(
+        self, workers: int, name: str, pool: Executor, deaths: tuple[type[BaseException], ...]
+    ) -> None:
+        self.workers, self.name, self.deaths, self._pool = workers, name, deaths, pool
 
     def submit(self, base: Base, flights: list[tuple[int, Point]]) -> "Future[list[Row]]":
         """A future of the rows of these flights."""
-
-    def renew(self) -> None:
-        """Replaces a worker that was lost."""
-
-
-class LocalExecutor:
-    """Processes, started afresh (not forked) so that they are the same on every system."""
-
-    deaths: tuple[type[BaseException], ...] = (BrokenExecutor,)
-
-    def __init__(self, workers: int) -> None:
-        self.workers, self.name = workers, f"{workers} process{'es' if workers > 1 else ''}"
-        self._pool: Executor = self._new()
-
-    def _new(self) -> Executor:
-        return ProcessPoolExecutor(self.workers, get_context("spawn"), _prepare)
-
-    def submit(self, base: Base, flights: list[tuple[int, Point]]) -> "Future[list[Row]]":
-        """See `StudyExecutor`."""
         return self._pool.submit(fly_all, base, flights)
 
     def renew(self) -> None:
-        """See `StudyExecutor`."""
+        """Replaces a worker that was lost, where the pool does not by itself."""
+
+
+class LocalExecutor(StudyExecutor):
+    """Processes, started afresh (not forked) so that they are the same on every system."""
+
+    def __init__(self, workers: int) -> None:
+        name = f"{workers} process{'es' if workers > 1 else ''}"
+        super().__init__(workers, name, _processes(workers), (BrokenExecutor,))
+
+    def renew(self) -> None:
+        """New processes in place of all."""
         self.close()
-        self._pool = self._new()
+        self._pool = _processes(self.workers)
 
     def close(self) -> None:
         """Lets the processes end."""
         self._pool.shutdown(wait=True, cancel_futures=True)
 
 
-class InProcessExecutor:
-    """This process itself: soonest for a few flights."""
+class InProcess(Executor):
+    """This process itself: soonest for a few flights; what is submitted is done at once."""
 
-    workers, name = 1, "this process"
-    deaths: tuple[type[BaseException], ...] = ()
-
-    def submit(self, base: Base, flights: list[tuple[int, Point]]) -> "Future[list[Row]]":
-        """See `StudyExecutor`; the rows are there at once."""
-        future: Future[list[Row]] = Future()
-        future.set_result(fly_all(base, flights))
+    def submit(self, done: Callable[..., Any], /, *args: Any, **named: Any) -> "Future[Any]":
+        """The future of a call that is over."""
+        future: Future[Any] = Future()
+        future.set_result(done(*args, **named))
         return future
 
-    def renew(self) -> None:
-        """See `StudyExecutor`."""
+
+def _processes(workers: int) -> Executor:
+    return ProcessPoolExecutor(workers, get_context("spawn"), _prepare)
 
 
 def _prepare() -> None:
@@ -90,41 +81,21 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-class DaskExecutor:
-    """The workers of a cluster; the scheduler itself replaces those that are lost."""
-
-    def __init__(self, client: Any, deaths: tuple[type[BaseException], ...]) -> None:
-        self.deaths = deaths
-        self.workers = sum(client.ncores().values())
-        self.name = f"{self.workers} thread{'s' if self.workers > 1 else ''} of the cluster"
-        self._pool: Executor = client.get_executor(pure=False)
-
-    def submit(self, base: Base, flights: list[tuple[int, Point]]) -> "Future[list[Row]]":
-        """See `StudyExecutor`."""
-        return self._pool.submit(fly_all, base, flights)
-
-    def renew(self) -> None:
-        """See `StudyExecutor`."""
-
-
 @contextmanager
 def local_executor(processes: int | None = None) -> Iterator[StudyExecutor]:
     """A process for each core that this one may use, unless `processes` says otherwise."""
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     if processes is not None and processes < 1:
         raise InputError(f"`processes` must be >= 1, got {processes}")
-    executor = LocalExecutor(processes or cores or 1)
-    try:
+    with closing(LocalExecutor(processes or cores or 1)) as executor:
         yield executor
-    finally:
-        executor.close()
 
 
 @contextmanager
 def executor_for(seconds: float, processes: int | None) -> Iterator[StudyExecutor]:
     """What flies `seconds` [s] of work soonest, unless a number of `processes` is asked for."""
     if processes is None and seconds < SHORT:
-        yield InProcessExecutor()
+        yield StudyExecutor(1, "this process", InProcess(), ())
         return
     with local_executor(processes) as executor:
         yield executor
@@ -143,14 +114,15 @@ def dask_executor(address: str) -> Iterator[StudyExecutor]:
     try:
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
-        raise InputError(
-            f"no Dask scheduler answers at {address} ({error}); start one with: dask scheduler"
-        ) from None
+        what, hint = f"no Dask scheduler answers at {address}", "start one with: dask scheduler"
+        raise InputError(f"{what} ({error}); {hint}") from None
     with client:
         try:
             client.wait_for_workers(1, timeout=PATIENCE)
         except TimeoutError:
-            raise InputError(
-                f"the scheduler at {address} has no workers; start one with: dask worker {address}"
-            ) from None
-        yield DaskExecutor(client, (KilledWorker,))
+            hint = f"start one with: dask worker {address}"
+            raise InputError(f"the scheduler at {address} has no workers; {hint}") from None
+        workers = sum(client.ncores().values())
+        name = f"{workers} thread{'s' if workers > 1 else ''} of the cluster"
+        # the scheduler itself replaces workers that are lost
+        yield StudyExecutor(workers, name, client.get_executor(pure=False), (KilledWorker,))

@@ -9,7 +9,6 @@ import os
 from collections.abc import Iterable, Iterator
 from itertools import islice
 from pathlib import Path
-from types import TracebackType
 from typing import IO, Any
 
 from kitemj.errors import InputError
@@ -62,10 +61,8 @@ class Journal:
             try:
                 fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except OSError:
-                raise InputError(
-                    f"another command is writing to {self.path}; wait for it, or write another "
-                    f"table"
-                ) from None
+                reason = "wait for it, or write another table"
+                raise InputError(f"another command is writing to {self.path}; {reason}") from None
 
     def _read(self) -> int:
         """Marks what is done; returns where the last whole line ends."""
@@ -85,12 +82,7 @@ class Journal:
             self._mark(json.loads(line)["flight"])
         return end
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *error: object) -> None:
         """Closes it; what a full disk refused is gone, what was written before is not."""
         try:
             self._file.close()
@@ -145,21 +137,16 @@ class Journal:
         import pyarrow as pa
 
         kinds: dict[type, Any] = {float: pa.float64(), str: pa.string()}
-        fields, results = [pa.field("flight", pa.int64())], result_columns(self.study.rig)
-        for name in self.study.design.names:
-            if name not in results:
-                number = self.study.design.is_number(name)
-                fields.append(pa.field(name, kinds[float if number else str]))
-        fields += [pa.field(name, kinds[kind]) for name, kind in results.items()]
-        return pa.schema(fields, metadata={"study": self.study.digest})
+        design, results = self.study.design, result_columns(self.study.rig)
+        given = {name: float if name in design.numbers else str for name in design.names}
+        given = {name: kind for name, kind in given.items() if name not in results}
+        fields = [(name, kinds[kind]) for name, kind in (given | results).items()]
+        return pa.schema([("flight", pa.int64()), *fields], {"study": self.study.digest})
 
 
 def _cell(value: Any, kind: Any) -> Any:
-    if value is None:
-        return None
-    if str(kind) == "string" and not isinstance(value, str):
-        return json.dumps(value)
-    return value
+    text = str(kind) == "string" and not isinstance(value, str | None)
+    return json.dumps(value) if text else value
 
 
 def completed_by(table: Path, study: Study) -> bool:

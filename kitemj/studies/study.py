@@ -5,6 +5,7 @@ import json
 from collections.abc import Mapping
 from copy import deepcopy
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
@@ -22,18 +23,16 @@ from kitemj.registry import own_modules
 from kitemj.studies.design import Design, Point, design_of
 
 VARIED = ("list", "grid", "hypercube")
+LONGEST_STEP = Quantity("s", "longest step of mujoco", gt=0, le=MAX_STEP)
+STEP_ERROR = Quantity("", "error of a step of lagrange and newton-euler", ge=1e-14, le=1e-3)
 
 
 class Settings(NamedTuple):
     """How a flight is flown; each of these can be varied, too."""
 
     model: Annotated[str, Quantity("", "the model that flies")] = "mujoco"
-    step: Annotated[float, Quantity("s", "longest step of mujoco", gt=0, le=MAX_STEP)] = (
-        DEFAULT_STEP
-    )
-    tolerance: Annotated[
-        float, Quantity("", "error of a step of lagrange and newton-euler", ge=1e-14, le=1e-3)
-    ] = 1e-8
+    step: Annotated[float, LONGEST_STEP] = DEFAULT_STEP
+    tolerance: Annotated[float, STEP_ERROR] = 1e-8
     reference: Annotated[str, Quantity("", 'the model to keep beside it; "": none')] = ""
 
 
@@ -148,14 +147,9 @@ def _check_name(name: str, source: str) -> None:
         "steering": ["programme", *Sines._fields, *SteeringTable._fields],
         "start": ["at", *Offsets._fields],
         **{key: field_names(kind) for key, kind in SECTIONS.items()},
-        **{
-            key: [
-                NAMED_BY[key],
-                *(each for law in registry for each in field_names(registry[law])),
-            ]
-            for key, registry in LAWS.items()
-        },
     }
+    for key, registry in LAWS.items():
+        sections[key] = [NAMED_BY[key], *chain(*(field_names(registry[law]) for law in registry))]
     whole = ["set", *Times._fields, *Settings._fields]
     if not dot and section not in (*whole, *sections):
         raise unknown_key(name, [*whole, *sections], "", source)

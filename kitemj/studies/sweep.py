@@ -75,9 +75,7 @@ def sweep(
                 tell(journal.count)
             try:
                 aloft[executor.submit(journal.study.base, batch)] = batch
-            except (
-                executor.deaths
-            ):  # a worker died since; those aloft are suspects, this one is not
+            except executor.deaths:  # one died since; those aloft are suspects, this one is not
                 suspects += _landed(journal, executor, aloft)
                 aloft[executor.submit(journal.study.base, batch)] = batch
         while aloft:

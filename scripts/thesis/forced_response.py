@@ -71,7 +71,7 @@ class ForcedLagrange(Minimal):
 
 def settled_state(parameters: Parameters, steering: SineSteering) -> Array:
     """x (8,) at a whole number of periods after a start from the equilibrium."""
-    kite, x = ForcedLagrange(parameters, steering), trimmed(parameters)
+    kite, x = ForcedLagrange(parameters, steering), trimmed(parameters)[0]
     steps = _steps(steering)
     for _ in range(max(2, round(SETTLING / steering.period))):
         x = kite.flow(x, held(1.0), steering.period, steps)

@@ -54,7 +54,7 @@ def flight_rows(
 ) -> Rows:
     """A flight from the equilibrium turned by `phi` [rad]: a row of a batch every `SAMPLE_TIME`."""
     parameters = parameters_at(length, cl_beta)
-    state = state_of(trimmed(parameters))
+    state = state_of(trimmed(parameters)[0])
     state = state._replace(q=state.q._replace(phi=state.q.phi + phi))
     kite, programme = make_model("lagrange", parameters), steering.programme(parameters)
     kite.start(state, programme)

@@ -21,6 +21,7 @@ from kitemj.equilibria.linearise import (
 from kitemj.equilibria.maps import stability_map
 from kitemj.equilibria.minimal import Minimal, held
 from kitemj.equilibria.modes import MOTIONS, Crossing, crossings, growth, stability
+from kitemj.equilibria.tables import map_table
 from kitemj.equilibria.trim import trimmed
 from kitemj.equilibria.vary import parameter_names, value_of, with_value
 from kitemj.errors import InputError
@@ -58,7 +59,7 @@ def test_eigenvalues_agree(parameters: Parameters, delta: float, model: str) -> 
 
 @pytest.mark.parametrize("model", SAME)
 def test_whole_linear_systems_agree(model: str) -> None:
-    x0, control = trimmed(LAKSA, delta=0.05), held(ell_of(LAKSA), 0.05)
+    x0, control = trimmed(LAKSA, delta=0.05)[0], held(ell_of(LAKSA), 0.05)
     reference = linearise(Minimal("lagrange", LAKSA), x0, control)
     other = linearise(Minimal(model, LAKSA), x0, control)
     for block in "ABCD":
@@ -99,7 +100,7 @@ def test_the_shown_error_is_not_a_blank_cheque() -> None:
 
 def test_the_shown_error_of_A_covers_a_finer_method() -> None:
     # a stencil of eighth order at another step; its own error is below 1e-12 of A
-    parameters, x0 = THESIS, trimmed(THESIS)
+    parameters, x0 = THESIS, trimmed(THESIS)[0]
     control, kite = held(ell_of(parameters)), Minimal("lagrange", THESIS)
     linear = linearise(kite, x0, control)
     h, columns = 1e-2, []
@@ -118,7 +119,7 @@ def test_the_shown_error_of_A_covers_a_finer_method() -> None:
 
 @pytest.mark.parametrize("model", MODELS)
 def test_a_small_disturbance_flies_as_A_says(model: str) -> None:
-    x0, control = trimmed(LAKSA), held(ell_of(LAKSA))
+    x0, control = trimmed(LAKSA)[0], held(ell_of(LAKSA))
     kite = Minimal(model, LAKSA)
     A = linearise(Minimal("lagrange", LAKSA), x0, control).A
     e = 1e-5 * state_units(LAKSA, control.ell) * (1, -1, 1, 1, -1, 1, 1, -1)
@@ -128,7 +129,7 @@ def test_a_small_disturbance_flies_as_A_says(model: str) -> None:
 
 @pytest.mark.parametrize(("du", "size"), [("ell", 1e-2), ("delta", 1e-4)])
 def test_a_small_step_of_the_lines_flies_as_B_says(du: str, size: float) -> None:
-    x0, control = trimmed(THESIS), held(ell_of(THESIS))
+    x0, control = trimmed(THESIS)[0], held(ell_of(THESIS))
     kite = Minimal("lagrange", THESIS)
     linear = linearise(kite, x0, control)
     u = np.zeros(6)
@@ -142,7 +143,7 @@ def test_a_small_step_of_the_lines_flies_as_B_says(du: str, size: float) -> None
 
 @pytest.mark.parametrize("name", INPUTS)
 def test_B_and_D_are_the_slopes_of_rates_and_outputs(name: str) -> None:
-    x0, control = trimmed(LAKSA, delta=0.05), held(ell_of(LAKSA), 0.05)
+    x0, control = trimmed(LAKSA, delta=0.05)[0], held(ell_of(LAKSA), 0.05)
     kite = Minimal("newton-euler", LAKSA)
     linear = linearise(Minimal("lagrange", LAKSA), x0, control)
     j, h = INPUTS.index(name), 1e-4
@@ -180,7 +181,7 @@ def test_flights_beside_the_threshold_fade_and_grow_at_its_frequency(
     period, control = 2 * pi / found.omega, held(ell_of(parameters))
     for factor, grows in ((0.99, False), (1.01, True)):
         there = with_value(parameters, "aero.Cl_beta", factor * found.value)
-        kite, x0 = Minimal("lagrange", there), trimmed(there)
+        kite, x0 = Minimal("lagrange", there), trimmed(there)[0]
         x = x0 + np.array([1e-4, 0, 0, 0, 0, 0, 0, 0])
         later = kite.flow(x, control, 10 * period)
         values, left = np.linalg.eig(linearise(kite, x0, control).A.T)
@@ -253,7 +254,10 @@ def test_a_map_shows_what_single_points_do() -> None:
     assert found.omega[row, 3] == pytest.approx(single.imag, rel=1e-12)
     unstable = found.x.values[found.real[row] > 0]
     assert unstable.max() < lost(LAKSA).value < unstable.max() + 0.08
-    assert len(found.rows()) == 121
+    rows = map_table(found).rows
+    assert len(rows) == 121
+    point = (found.x.values[3], 7.0, found.real[row, 3], found.omega[row, 3])
+    assert rows[11 * row + 3] == point
 
 
 def test_every_named_parameter_can_be_set() -> None:
