@@ -55,10 +55,7 @@ class Scene:
         self._free = mujoco.MjvCamera()
         self._enlarged = look.enlargement(parameters)
         self._references = np.flatnonzero(self.model.geom_group >= look.REFERENCE_GROUP)
-        shown = (
-            mujoco.mjtRndFlag.mjRND_SKYBOX,
-            mujoco.mjtRndFlag.mjRND_CULL_FACE,
-        )
+        shown = (mujoco.mjtRndFlag.mjRND_SKYBOX, mujoco.mjtRndFlag.mjRND_CULL_FACE)
         for flag in range(len(self.mjv.flags)):
             self.mjv.flags[flag] = flag in [int(s) for s in shown]
 

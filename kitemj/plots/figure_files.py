@@ -41,16 +41,12 @@ def save_figures(figures: Mapping[str, Figure], path: Path, overwrite: bool = Fa
     with ExitStack() as stack:
         parts = [stack.enter_context(new_file(each, overwrite)) for each in paths]
         if kind == "pdf":
-            _save_pages(list(figures.values()), parts[0])
+            from matplotlib.backends.backend_pdf import PdfPages
+
+            pages = stack.enter_context(PdfPages(parts[0]))
+            for figure in figures.values():
+                pages.savefig(figure)
         else:
             for figure, part in zip(figures.values(), parts, strict=True):
                 figure.savefig(part, format=kind, dpi=SHARPNESS)
     return paths
-
-
-def _save_pages(figures: Sequence[Figure], path: Path) -> None:
-    from matplotlib.backends.backend_pdf import PdfPages
-
-    with PdfPages(path) as pages:
-        for figure in figures:
-            pages.savefig(figure)

@@ -28,7 +28,12 @@ def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters]:
     Those of `table` are not looked at. Raises InputError where its lines do not end at that
     kite, or at none, or where it lacks the columns to tell and no kite is given.
     """
-    kites = {kite: parameters_named(kite)} if kite else _sets()
+    sets = sorted(set_names(), key=lambda name: name != DEFAULT)
+    kites = (
+        {kite: parameters_named(kite)}
+        if kite
+        else dict(zip(sets, map(parameter_set, sets), strict=True))
+    )
     lacks = [name for name in (*POSE, *TENSIONS, *LENGTHS) if name not in table.columns]
     if lacks and not kite:
         raise InputError(
@@ -57,11 +62,6 @@ def line_gap(parameters: Parameters, table: Flight) -> float:
         for side, length in zip((1.0, -1.0), pair, strict=True)
     ]
     return float(np.median(gaps)) if gaps else 0.0
-
-
-def _sets() -> dict[str, Parameters]:
-    names = [DEFAULT, *(name for name in set_names() if name != DEFAULT)]
-    return {name: parameter_set(name) for name in names}
 
 
 def _body(pose: Array) -> Body:
