@@ -4,8 +4,9 @@ from typing import NamedTuple
 
 import pygame
 
-from kitemj.drawing.panel import ALARM, CALL, INK, NOW, QUIET, RECENT, WHITE
-from kitemj.drawing.text import Colour, put, width, wrapped
+from kitemj.drawing.colours import ALARM, CALL, INK, WHITE, Colour
+from kitemj.drawing.panel import NOW, QUIET, RECENT
+from kitemj.drawing.text import put, width, wrapped
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import LIMITS, Departure, departure_at
 from kitemj.physics.parameters import Parameters

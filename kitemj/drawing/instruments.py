@@ -11,23 +11,10 @@ import pygame
 from kitemj.controls.actions import PANELS
 from kitemj.drawing import strip_chart, wind_window
 from kitemj.drawing.alarms import Alarm, alarm_at, loudness, paint_banner
+from kitemj.drawing.colours import CALL, DIM, GOOD, LEFT, RIGHT, TROUGH, WHITE
 from kitemj.drawing.knob import paint_knob
 from kitemj.drawing.lesson_panel import beside, paint_lesson, paint_touch
-from kitemj.drawing.panel import (
-    CALL,
-    DIM,
-    GOOD,
-    LARGE,
-    LEFT,
-    NAME,
-    NOW,
-    NUMBER,
-    RIGHT,
-    TROUGH,
-    WHITE,
-    Panel,
-    box_of,
-)
+from kitemj.drawing.panel import LARGE, NAME, NOW, NUMBER, Panel, box_of
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.scene import newtons_per_metre
 from kitemj.drawing.strip_chart import paint_chart

@@ -6,8 +6,9 @@ touch in the middle.
 
 import pygame
 
-from kitemj.drawing.panel import CALL, DIM, GOOD, INK, LEFT, NAME, RIGHT, TROUGH, WHITE, Panel
-from kitemj.drawing.text import Colour, width, wrapped
+from kitemj.drawing.colours import CALL, DIM, GOOD, INK, LEFT, RIGHT, TROUGH, WHITE, Colour
+from kitemj.drawing.panel import NAME, Panel
+from kitemj.drawing.text import width, wrapped
 from kitemj.pilots.course import LessonStatus
 from kitemj.pilots.crash import Touch
 

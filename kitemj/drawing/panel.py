@@ -7,19 +7,9 @@ from collections.abc import Sequence
 
 import pygame
 
-from kitemj.drawing.text import Colour, put
+from kitemj.drawing.colours import ALARM, CALL, DIM, Colour
+from kitemj.drawing.text import put
 
-WHITE: Colour = (255, 255, 255)
-DIM: Colour = (205, 212, 220)
-LEFT: Colour = (255, 84, 84)  # the pilot's left, A₊, as on the kite
-RIGHT: Colour = (104, 156, 255)
-GOOD: Colour = (120, 220, 120)
-BAD: Colour = (255, 70, 60)
-ALARM: Colour = (176, 24, 20)
-CALL: Colour = (255, 214, 60)
-SHADE: Colour = (70, 78, 90)  # what multiplies a picture that is to be written on
-TROUGH: Colour = (40, 46, 54)
-INK: Colour = (20, 22, 26)
 NUMBER, NAME = 23, 18  # px of digit height in a frame of 720 rows
 LARGE = 30  # of the number that is out of its limits
 QUIET, RECENT, NOW = 0, 1, 2

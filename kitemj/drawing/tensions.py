@@ -6,19 +6,8 @@ that is about to break are both seen. Marks stand at 1/16, 1/4, 9/16 and all of 
 
 from math import sqrt
 
-from kitemj.drawing.panel import (
-    BAD,
-    CALL,
-    INK,
-    LARGE,
-    LEFT,
-    NOW,
-    NUMBER,
-    RIGHT,
-    TROUGH,
-    WHITE,
-    Panel,
-)
+from kitemj.drawing.colours import BAD, CALL, INK, LEFT, RIGHT, TROUGH, WHITE
+from kitemj.drawing.panel import LARGE, NOW, NUMBER, Panel
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import OVERLOAD, SLACK, Numbers
 from kitemj.physics.parameters import Parameters

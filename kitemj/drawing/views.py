@@ -43,11 +43,8 @@ def pixel(camera: Camera, p_E: Vector, width: int, height: int) -> Pixel:
     depth = dot(sight, camera.forward)
     right = cross(camera.forward, camera.up)
     focal = height / 2 / tan(camera.field / 2) / (depth if depth != 0.0 else 1e-12)
-    return Pixel(
-        width / 2 - 0.5 + focal * dot(sight, right),
-        height / 2 - 0.5 - focal * dot(sight, camera.up),
-        depth,
-    )
+    column = width / 2 - 0.5 + focal * dot(sight, right)
+    return Pixel(column, height / 2 - 0.5 - focal * dot(sight, camera.up), depth)
 
 
 def looking(position: Vector, target: Vector) -> Camera:
@@ -110,9 +107,7 @@ class Orbit(NamedTuple):
     def turned(self, d_azimuth: float, d_elevation: float) -> "Orbit":
         """The orbit further round, by angles in rad; never quite overhead or underfoot."""
         elevation = min(max(self.elevation + d_elevation, -HIGHEST), HIGHEST)
-        return self._replace(
-            azimuth=remainder(self.azimuth + d_azimuth, 2 * pi), elevation=elevation
-        )
+        return Orbit(remainder(self.azimuth + d_azimuth, 2 * pi), elevation, self.distance)
 
     def zoomed(self, factor: float, parameters: Parameters) -> "Orbit":
         """The orbit `factor` times nearer, between a span and four line lengths."""
@@ -143,12 +138,8 @@ def near(parameters: Parameters, orbit: Orbit) -> bool:
     return orbit.distance < NEAR_ORBIT * parameters.kite.span
 
 
-CAMERAS: dict[str, Callable[[Parameters, Motion], Camera]] = {
-    "chase": chase,
-    "pilot": pilot,
-    "side": side,
-    "top": top,
-}
+View = Callable[[Parameters, Motion], Camera]
+CAMERAS: dict[str, View] = {"chase": chase, "pilot": pilot, "side": side, "top": top}
 
 
 def downwind(parameters: Parameters) -> Vector:
