@@ -73,12 +73,12 @@ def paint_banner(
     if message and not (alarm and message == alarm.departure.limit.sentence):
         say(message, 20, CALL, INK)
     if alarm and alarm.age <= HELD:
-        now = alarm.age == 0.0
-        colour, field = (WHITE, ALARM) if now else (CALL, INK)
-        ago = "" if now else f"{max(round(alarm.age), 1)} s ago: "
         _, limit, reading = alarm.departure
-        say(f"{limit.name.upper()}: {reading}", 23, colour, field)
-        say(ago + limit.sentence, 18, colour, field)
+        colours, ago = (WHITE, ALARM), ""
+        if alarm.age > 0.0:
+            colours, ago = (CALL, INK), f"{max(round(alarm.age), 1)} s ago: "
+        say(f"{limit.name.upper()}: {reading}", 23, *colours)
+        say(ago + limit.sentence, 18, *colours)
     wide = max((width(text, size * unit) for text, size, _, _ in lines), default=0) + 24 * unit
     tall = sum(size + LEADING for _, size, _, _ in lines) * unit
     whole = pygame.Rect(0, 0, round(wide) if lines else 0, round(tall))

@@ -68,9 +68,9 @@ def _loop(kite: Kite, across: float) -> NDArray[np.float64]:
     middle = np.array([0.0, across * kite.span / 2, z])
     around = np.concatenate([np.arange(PROFILE + 1), np.arange(PROFILE - 1, 0, -1)])
     height = np.concatenate([up, low[-2:0:-1]])
-    points = middle + height[:, None] * normal
+    points: NDArray[np.float64] = middle + height[:, None] * normal
     points[:, 0] = x[around]
-    return np.asarray(points)
+    return points
 
 
 def _cell(kite: Kite, start: float, end: float) -> Mesh:

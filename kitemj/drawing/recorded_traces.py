@@ -54,7 +54,6 @@ class RecordedTraces:
 
     def _twists(self, episode: slice) -> NDArray[np.float64]:
         """The twist [rad] at each row of the episode, as it was when last looked at."""
-        rows = range(episode.start, episode.stop, self._looks)
-        motions = [self._track.motion(row) for row in rows]
+        motions = map(self._track.motion, range(episode.start, episode.stop, self._looks))
         angles = [twist_angle(self._track.parameters, motion) for motion in motions if motion]
         return np.repeat(np.unwrap(angles), self._looks)[: episode.stop - episode.start]

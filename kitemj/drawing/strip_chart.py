@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from kitemj.drawing.colours import ALARM, BAD, GOOD, TROUGH, WHITE, Colour
 from kitemj.drawing.history import CHART_COLUMNS, Traces
-from kitemj.drawing.panel import QUIET, Panel
+from kitemj.drawing.panel import Panel
 from kitemj.flight.live import TICK
 
 WIDTH, HEIGHT = 292, 166
@@ -25,13 +25,13 @@ LINE: Colour = (120, 128, 140)
 
 def paint_chart(panel: Panel, traces: Traces | None, missed_ticks: int, lateness: float) -> None:
     """Paints the chart; `lateness` [s] of the last tick, `missed_ticks` since the start."""
-    panel.ground(QUIET)
     panel.text("missed ticks", LEFT, 20)
     panel.text(f"{missed_ticks}", WIDTH - 12, 20, 23, BAD if missed_ticks else WHITE, 1)
     panel.bar(LEFT, TOP - 20, WIDE, BOTTOM - TOP + 20, TROUGH)
     late = traces.lateness if traces else np.full(CHART_COLUMNS, np.nan)
     frames = traces.frame_time if traces else np.full(CHART_COLUMNS, np.nan)
-    for start, end in _spans(late > TICK):
+    edges = np.flatnonzero(np.diff(late > TICK, prepend=False, append=False))
+    for start, end in edges.reshape(-1, 2).tolist():
         panel.bar(_x(start), TOP - 20, max(_x(end) - _x(start), 3), BOTTOM - TOP + 20, ALARM)
     limit = float(_y(TICK))
     panel.line([(LEFT, limit), (LEFT + WIDE, limit)], LINE, 1)
@@ -52,12 +52,6 @@ def _x(column: Any) -> Any:
 def _y(seconds: Any) -> Any:
     share = np.log10(np.clip(seconds, LEAST, MOST) / LEAST) / log10(MOST / LEAST)
     return BOTTOM - share * (BOTTOM - TOP + 20)
-
-
-def _spans(on: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First and one past the last column of each run of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], on.astype(np.int8), [0]])))
-    return [(int(a), int(b)) for a, b in edges.reshape(-1, 2)]
 
 
 def _lines(values: NDArray[np.float64]) -> list[list[tuple[float, float]]]:

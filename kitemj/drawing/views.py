@@ -68,26 +68,22 @@ def chase(parameters: Parameters, motion: Motion) -> Camera:
     return looking(eye, plus(kite, times(0.25 * span, UP)))
 
 
-def pilot(parameters: Parameters, motion: Motion) -> Camera:
+def pilot(parameters: Parameters, _: Motion) -> Camera:
     """The view from behind the pilot, downwind: pilot, lines, kite and the whole wind window."""
-    del motion
     L, wind = parameters.lines.length, downwind(parameters)
     position = plus(times(-1.35 * L, wind), times(0.3 * L, UP))
     return looking(position, plus(times(0.2 * L, wind), times(0.395 * L, UP)))
 
 
-def side(parameters: Parameters, motion: Motion) -> Camera:
+def side(parameters: Parameters, _: Motion) -> Camera:
     """The view from the pilot's right: the wind blows from left to right."""
-    del motion
     L, wind = parameters.lines.length, downwind(parameters)
-    right = cross(wind, UP)
     target = plus(times(0.62 * L, wind), times(0.4 * L, UP))
-    return looking(plus(target, times(1.5 * L, right)), target)
+    return looking(plus(target, times(1.5 * L, cross(wind, UP))), target)
 
 
-def top(parameters: Parameters, motion: Motion) -> Camera:
+def top(parameters: Parameters, _: Motion) -> Camera:
     """The view from straight above: the wind blows up the picture, the pilot's left is left."""
-    del motion
     L, wind = parameters.lines.length, downwind(parameters)
     position = plus(times(0.42 * L, wind), times(1.9 * L, UP))
     return Camera(position, times(-1.0, UP), wind, FIELD)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.drawing.colours import CALL, DIM, LEFT, RIGHT, WHITE, Colour
-from kitemj.drawing.panel import QUIET, Panel
+from kitemj.drawing.panel import Panel
 from kitemj.drawing.trail import paint_trail
 from kitemj.drawing.views import UP, downwind
 from kitemj.dynamics.motion import Motion
@@ -58,7 +58,6 @@ class WindWindow:
 
     def paint(self, panel: Panel, motion: Motion, trail: NDArray[np.float64]) -> None:
         """Paints the instrument; `trail` (n, 3) [m, E], oldest first."""
-        panel.ground(QUIET)
         panel.polygon(self._sky, SKY)
         for line in self._grid:
             panel.line(line, GRID, 1)
@@ -86,7 +85,7 @@ class WindWindow:
         dx, dy = WING * dx / size, WING * dy / size
         panel.line([(x, y), (x + dx, y + dy)], LEFT, 6)
         panel.line([(x, y), (x - dx, y - dy)], RIGHT, 6)
-        panel.dot(x, y, 5, WHITE if motion.body.p_G_E.z < 0 else CALL)
+        panel.dot(x, y, 5, WHITE if G.z < 0 else CALL)
 
     def _at(self, azimuth_deg: float, elevation_deg: float) -> tuple[float, float]:
         """The place of a direction; `azimuth_deg` is positive to the pilot's left."""

@@ -18,7 +18,6 @@ from kitemj.plots.flight import Array, Flight
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-
 STYLES = {
     "T₊/T_max": sheet.LineStyle(r"$T_+/T_\mathrm{max}$ (left)", sheet.LEFT),
     "T₋/T_max": sheet.LineStyle(r"$T_-/T_\mathrm{max}$ (right)", sheet.RIGHT, (0, (5, 2))),
@@ -77,9 +76,8 @@ def limits_figure(flight: Flight, title: str = "") -> Figure:
 
     Raises InputError where `flight` lacks a column.
     """
-    ratios = limit_ratios(flight)
     figure, (ax,) = sheet.time_sheet(flight, title or f"Physical limits: {flight.name}", 1, 4.2)
-    for name, ratio in ratios.items():
+    for name, ratio in limit_ratios(flight).items():
         sheet.curve(ax, flight, ratio, STYLES[name])
     sheet.name_axis(ax, "part of the limit", "-")
     sheet.show_limits(ax, (0.0, 1.0), ("0: slack, or α = 0", "1: the limit"))

@@ -99,16 +99,8 @@ def curve(ax: Axes, flight: Flight, values: Array, style: LineStyle) -> None:
         ax.add_artist(Line2D(t[rest], values[rest], **style._replace(label="_")._asdict()))
 
 
-def limit_line(ax: Axes, value: float, label: str, below: bool = False) -> None:
-    """Draws a horizontal line that names itself, above or `below` it at the left."""
-    ax.axhline(value, color="black", linewidth=0.9, linestyle=(0, (8, 3)))
-    side, offset = ("top", (3, -2)) if below else ("bottom", (3, 2))
-    how: Any = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points", "va": side}
-    ax.annotate(label, (0.0, value), offset, fontsize=SMALL, bbox=ON_WHITE, **how)
-
-
 def show_limits(ax: Axes, limits: tuple[float, float], labels: tuple[str, str]) -> None:
-    """Draws both limits, hatched outside, and room for that; a curve far outside leaves it."""
+    """Draws both limits, named at the left and hatched outside; a curve far outside leaves."""
     low, high = limits
     span = high - low
     bottom, top = ax.dataLim.y0, ax.dataLim.y1
@@ -117,8 +109,11 @@ def show_limits(ax: Axes, limits: tuple[float, float], labels: tuple[str, str]) 
     ax.set_ylim(bottom, top)
     for start, end in ((bottom, low), (high, top)):
         ax.axhspan(start, end, facecolor="none", edgecolor="0.75", hatch="////", linewidth=0)
-    limit_line(ax, low, labels[0], below=True)
-    limit_line(ax, high, labels[1])
+    how: Any = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
+    for value, label, side, shift in ((low, labels[0], "top", -2), (high, labels[1], "bottom", 2)):
+        ax.axhline(value, color="black", linewidth=0.9, linestyle=(0, (8, 3)))
+        place, offset = (0.0, value), (3, shift)
+        ax.annotate(label, place, offset, va=side, fontsize=SMALL, bbox=ON_WHITE, **how)
 
 
 def closer(ax: Axes, flight: Flight) -> None:

@@ -42,9 +42,8 @@ def read_flight(path: str | Path, model: str = "", episode: int = 0, kite: str =
     if model and kind != SCENARIO:
         raise InputError(f"`model` is for a scenario; what {path.name} holds is flown already")
     if episode and kind == SCENARIO:
-        raise InputError(
-            f"`episode` is for a recording; {path.name} is a scenario, which is one flight"
-        )
+        what = f"{path.name} is a scenario, which is one flight"
+        raise InputError(f"`episode` is for a recording; {what}")
     if kite and kind not in TABLES:
         raise InputError(f"`kite` is for a table; {path.name} says itself which kite flew")
     if kind == SCENARIO:
@@ -115,6 +114,5 @@ def _chosen(path: Path, episodes: list[slice], asked: int) -> tuple[int, list[st
     if asked or len(episodes) == 1:
         return max(0, asked - 1), []
     longest = max(range(len(episodes)), key=lambda i: episodes[i].stop - episodes[i].start)
-    return longest, [
-        f"{path.name} holds {len(episodes)} flights; drawn is the longest, flight {longest + 1}"
-    ]
+    drawn = f"drawn is the longest, flight {longest + 1}"
+    return longest, [f"{path.name} holds {len(episodes)} flights; {drawn}"]

@@ -61,7 +61,7 @@ class FlightProcess:
 
     def start(self) -> None:
         """Time begins."""
-        self._send(Begin())
+        self.ask(Begin())
 
     def update(self) -> list[TickNews]:
         """All ticks since the last call, the newest of which is now."""
