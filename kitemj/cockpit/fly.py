@@ -13,7 +13,7 @@ from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.flight.live import TICK
 from kitemj.pilots.course import Course, LessonStatus
-from kitemj.realtime.messages import Deed, Timekeeping
+from kitemj.realtime.messages import Deed, Rate, StartAt, Timekeeping
 from kitemj.realtime.process import FlightProcess
 
 
@@ -82,7 +82,7 @@ def fly(
                 history.add(news.done, news.result.motion, news.lateness)
             if isinstance(screen.stick, ProgrammedStick):
                 screen.wishes.ask(screen.stick.actions(painting - begun))
-            physics.command = screen.stick.command(physics.result.motion)
+            physics.ask(screen.stick.command(physics.result.motion))
             _grant(screen.wishes, physics, picture, course)
             if course:
                 course.watch(physics.result.motion)
@@ -104,8 +104,8 @@ def fly(
 def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Course | None) -> None:
     """Does what the person asks for of time, picture and lessons."""
     deeds, turn, zoom = wishes.taken()
-    physics.rate = wishes.rate
-    physics.start_at = 1 if course and course.start else 0
+    physics.ask(Rate(wishes.rate))
+    physics.ask(StartAt(1 if course and course.start else 0))
     for deed in deeds:
         if deed not in ("next lesson", "begin lesson"):
             physics.ask(Deed(deed))

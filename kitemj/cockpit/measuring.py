@@ -16,9 +16,9 @@ from kitemj.cockpit.fly import Summary, fly
 from kitemj.cockpit.screens import Frame, Screen
 from kitemj.controls.actions import Wishes
 from kitemj.controls.stick import PilotStick, Stick
+from kitemj.drawing.colours import CALL
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.knob import HUB, OUTER
-from kitemj.drawing.panel import CALL
 from kitemj.drawing.picture import Picture
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command

@@ -37,7 +37,7 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.flight.limits import left_limits
-    from kitemj.plots.figure_files import save_figures
+    from kitemj.plots.figure_output import save_figures
     from kitemj.plots.limits import Extremes, extremes, limits_figure
     from kitemj.plots.sources import read_flight
     from kitemj.tables import Table, print_table, write

@@ -80,9 +80,8 @@ def add_save(parser: Parser, says: str) -> None:
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
     from kitemj.flight.limits import left_limits
-    from kitemj.plots.figure_files import check_figures, save_figures
+    from kitemj.plots.figure_output import check_figures, check_windows, save_figures, show
     from kitemj.plots.sources import read_flight
-    from kitemj.plots.windows import check_windows, show
 
     names = _names(args.what)
     if args.save:

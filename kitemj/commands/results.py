@@ -26,7 +26,7 @@ def add_results(parser: Parser) -> None:
 def check_results(args: argparse.Namespace) -> None:
     """Raises InputError before work is done that could not be kept."""
     from kitemj.files import check_new
-    from kitemj.plots.figure_files import check_figures
+    from kitemj.plots.figure_output import check_figures
     from kitemj.tables import check_format
 
     if args.output:
@@ -53,7 +53,7 @@ def give_results(
     notes: sentences above the tables
     show: whether the tables are short enough to be printed for people
     """
-    from kitemj.plots.figure_files import save_figures
+    from kitemj.plots.figure_output import save_figures
     from kitemj.tables import json_text, print_table, write
 
     if args.json:

@@ -4,8 +4,9 @@ from typing import NamedTuple
 
 import pygame
 
-from kitemj.drawing.panel import ALARM, CALL, INK, NOW, QUIET, RECENT, WHITE
-from kitemj.drawing.text import Colour, put, width, wrapped
+from kitemj.drawing.colours import ALARM, CALL, INK, WHITE, Colour
+from kitemj.drawing.panel import NOW, QUIET, RECENT
+from kitemj.drawing.text import put, width, wrapped
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import LIMITS, Departure, departure_at
 from kitemj.physics.parameters import Parameters
@@ -72,12 +73,12 @@ def paint_banner(
     if message and not (alarm and message == alarm.departure.limit.sentence):
         say(message, 20, CALL, INK)
     if alarm and alarm.age <= HELD:
-        now = alarm.age == 0.0
-        colour, field = (WHITE, ALARM) if now else (CALL, INK)
-        ago = "" if now else f"{max(round(alarm.age), 1)} s ago: "
         _, limit, reading = alarm.departure
-        say(f"{limit.name.upper()}: {reading}", 23, colour, field)
-        say(ago + limit.sentence, 18, colour, field)
+        colours, ago = (WHITE, ALARM), ""
+        if alarm.age > 0.0:
+            colours, ago = (CALL, INK), f"{max(round(alarm.age), 1)} s ago: "
+        say(f"{limit.name.upper()}: {reading}", 23, *colours)
+        say(ago + limit.sentence, 18, *colours)
     wide = max((width(text, size * unit) for text, size, _, _ in lines), default=0) + 24 * unit
     tall = sum(size + LEADING for _, size, _, _ in lines) * unit
     whole = pygame.Rect(0, 0, round(wide) if lines else 0, round(tall))

@@ -60,21 +60,17 @@ def _loop(kite: Kite, across: float) -> NDArray[np.float64]:
     nose, chord, z = _section(kite, across)
     s = (1 - np.cos(np.linspace(0, np.pi, PROFILE + 1))) / 2
     # NACA four-digit thickness with a closed tail; round the nose, thin behind
-    shape = (
-        5
-        * THICKNESS
-        * (0.2969 * np.sqrt(s) - 0.1260 * s - 0.3516 * s**2 + 0.2843 * s**3 - 0.1036 * s**4)
-    )
-    camber = 0.06 * 4 * s * (1 - s)
+    outline = 0.2969 * np.sqrt(s) - 0.1260 * s - 0.3516 * s**2 + 0.2843 * s**3 - 0.1036 * s**4
+    shape, camber = 5 * THICKNESS * outline, 0.06 * 4 * s * (1 - s)
     x, up, low = nose - chord * s, chord * (camber + shape), chord * (camber - shape)
     slope = 2 * ARCH * 2 * across  # dz/dy of the arch; the section stands upright on it
     normal = np.array([0.0, slope, -1.0]) / np.hypot(1.0, slope)
     middle = np.array([0.0, across * kite.span / 2, z])
     around = np.concatenate([np.arange(PROFILE + 1), np.arange(PROFILE - 1, 0, -1)])
     height = np.concatenate([up, low[-2:0:-1]])
-    points = middle + height[:, None] * normal
+    points: NDArray[np.float64] = middle + height[:, None] * normal
     points[:, 0] = x[around]
-    return np.asarray(points)
+    return points
 
 
 def _cell(kite: Kite, start: float, end: float) -> Mesh:
@@ -94,7 +90,5 @@ def _cell(kite: Kite, start: float, end: float) -> Mesh:
 
 def _joined(meshes: list[Mesh]) -> Mesh:
     starts = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes[:-1]])
-    return Mesh(
-        np.concatenate([mesh.vertices for mesh in meshes]),
-        np.concatenate([mesh.faces + s for mesh, s in zip(meshes, starts, strict=True)]),
-    )
+    faces = [mesh.faces + start for mesh, start in zip(meshes, starts, strict=True)]
+    return Mesh(np.concatenate([mesh.vertices for mesh in meshes]), np.concatenate(faces))

@@ -11,6 +11,7 @@ import os
 import platform
 import subprocess
 import sys
+from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -30,6 +31,12 @@ context.free()
 """
 PROBE_TIMEOUT = 20.0  # s, a cold start from a slow disk
 SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "gdi generic")
+VARIABLES = (
+    *("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_EGL_DEVICE_ID", "PYOPENGL_PLATFORM"),
+    *("LIBGL_ALWAYS_SOFTWARE", "LIBGL_DRIVERS_PATH", "GALLIUM_DRIVER"),
+    *("MESA_LOADER_DRIVER_OVERRIDE", "__EGL_VENDOR_LIBRARY_FILENAMES"),
+    *("LD_LIBRARY_PATH", "LD_PRELOAD"),
+)
 OFF = ("disable", "disabled", "off", "false", "0")
 ALIASES = {"glx": "glfw", "wgl": "glfw", "": "", "enable": "", "on": "", "true": "", "1": ""}
 
@@ -59,43 +66,37 @@ def open_graphics(width: int, height: int) -> Graphics:
             else:
                 return Graphics(context, renderer)
         failures.append(backend)
-    raise NoGraphics(_advice(failures))
+    asked = os.environ.get("MUJOCO_GL", "")
+    what = f"MUJOCO_GL={asked}" if asked else f"OpenGL ({' and '.join(failures)})"
+    raise NoGraphics(f"cannot draw: {what} does not work on this machine; {_remedy(failures)}")
 
 
 def candidates(asked: str, system: str) -> list[str]:
     """Names of the modules of mujoco to try, for the value of MUJOCO_GL and the system."""
     asked = asked.lower().strip()
     if asked in OFF:
-        raise NoGraphics(
-            f"drawing is switched off by MUJOCO_GL={asked}; run again with: env -u MUJOCO_GL"
-        )
+        again = "run again with: env -u MUJOCO_GL"
+        raise NoGraphics(f"drawing is switched off by MUJOCO_GL={asked}; {again}")
     chosen = ALIASES.get(asked, asked)
     known = {"Linux": ["egl", "osmesa", "glfw"], "Darwin": ["cgl", "glfw"]}.get(system, ["glfw"])
     if chosen and chosen not in known:
-        raise NoGraphics(
-            f"MUJOCO_GL={asked} is not known on {system}; "
-            f"use one of: {', '.join(known)}, or unset it"
-        )
+        use = f"use one of: {', '.join(known)}, or unset it"
+        raise NoGraphics(f"MUJOCO_GL={asked} is not known on {system}; {use}")
     return [chosen] if chosen else known[: 2 if system == "Linux" else 1]
 
 
 def _renderer(backend: str) -> str | None:
     """Name of what draws (GL_RENDERER), or None where this backend does not work."""
-    cache = _cache_file()
-    key = _key(backend)
-    try:
+    cache, key, known = _cache_file(), _key(backend), None
+    with suppress(OSError, ValueError):
         known = json.loads(cache.read_text())
-    except (OSError, ValueError):
-        known = {}
     if isinstance(known, dict) and isinstance(known.get(key), str):
         return str(known[key])
     renderer = _probe(backend)
     if renderer is not None:
-        try:
+        with suppress(OSError):  # a home that cannot be written only costs the probe every time
             cache.parent.mkdir(parents=True, exist_ok=True)
             cache.write_text(json.dumps({key: renderer}))
-        except OSError:
-            pass  # a home that cannot be written only costs the probe every time
     return renderer
 
 
@@ -104,16 +105,10 @@ def _cache_file() -> Path:
 
 
 def _probe(backend: str) -> str | None:
-    environment = {name: v for name, v in os.environ.items() if name != "MUJOCO_GL"}
+    env = {name: value for name, value in os.environ.items() if name != "MUJOCO_GL"}
+    words = [sys.executable, "-c", PROBE, f"mujoco.{backend}"]
     try:
-        done = subprocess.run(
-            [sys.executable, "-c", PROBE, f"mujoco.{backend}"],
-            capture_output=True,
-            text=True,
-            timeout=PROBE_TIMEOUT,
-            env=environment,
-            check=False,
-        )
+        done = subprocess.run(words, capture_output=True, text=True, timeout=PROBE_TIMEOUT, env=env)
     except (OSError, subprocess.TimeoutExpired):
         return None
     lines = [line for line in done.stdout.splitlines() if line.startswith("renderer: ")]
@@ -122,16 +117,6 @@ def _probe(backend: str) -> str | None:
 
 def _key(backend: str) -> str:
     """A text that changes with the installed libraries, the graphics card and the display."""
-    variables = ("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_EGL_DEVICE_ID", "PYOPENGL_PLATFORM")
-    drivers = (
-        "LIBGL_ALWAYS_SOFTWARE",
-        "LIBGL_DRIVERS_PATH",
-        "GALLIUM_DRIVER",
-        "MESA_LOADER_DRIVER_OVERRIDE",
-        "__EGL_VENDOR_LIBRARY_FILENAMES",
-        "LD_LIBRARY_PATH",
-        "LD_PRELOAD",
-    )
     places = ("/etc/ld.so.cache", "/dev/dri", "/usr/share/glvnd/egl_vendor.d", sys.executable)
     stamps = []
     for place in places:
@@ -140,15 +125,8 @@ def _key(backend: str) -> str:
         except OSError:
             stamps.append(0)
     facts = [backend, platform.node(), platform.release(), sys.prefix, *stamps]
-    facts += [os.environ.get(name) for name in (*variables, *drivers)]
+    facts += [os.environ.get(name) for name in VARIABLES]
     return hashlib.sha256(repr(facts).encode()).hexdigest()[:16]
-
-
-def _advice(failures: list[str]) -> str:
-    tried = " and ".join(failures)
-    asked = os.environ.get("MUJOCO_GL", "")
-    because = f"MUJOCO_GL={asked} does not work" if asked else f"OpenGL ({tried}) does not work"
-    return f"cannot draw: {because} on this machine; {_remedy(failures)}"
 
 
 def _remedy(failures: list[str]) -> str:

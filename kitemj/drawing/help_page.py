@@ -2,7 +2,8 @@
 
 import pygame
 
-from kitemj.drawing.panel import CALL, DIM, INK, WHITE, Panel
+from kitemj.drawing.colours import CALL, DIM, INK, WHITE
+from kitemj.drawing.panel import Panel
 from kitemj.drawing.text import width
 
 STEP, EDGE, GAP, SIZE = 34, 32, 28, 20  # units: between lines, around, between columns, digits

@@ -62,7 +62,10 @@ class History:
         while self._points and self._points[-1].t >= motion.t:  # the flight went back
             self._points.pop()
         if not self._points or motion.t - self._points[-1].t > TRAIL_STEP - 1e-6:
-            self._extend(motion)
+            angle = twist_angle(self._parameters, motion)
+            last = self._points[-1].twist if self._points else angle
+            twist = last + (angle - last + pi) % (2 * pi) - pi
+            self._points.append(Point(motion.t, twist, motion.body.p_G_E))
         alarm = alarm_at(self._parameters, motion, self._points[-1].twist)
         if alarm:
             self._alarm = (now, alarm)
@@ -75,20 +78,10 @@ class History:
         """The traces to be shown at `now` [s]."""
         last, points = self._alarm, list(self._points)
         alarm = last[1]._replace(age=max(now - last[0], 0.0)) if last else None
-        return Traces(
-            np.array([point.place for point in points]).reshape(len(points), 3),
-            points[-1].twist if points else 0.0,
-            self._lateness.values(now),
-            self._frame_time.values(now),
-            alarm,
-        )
-
-    def _extend(self, motion: Motion) -> None:
-        angle = twist_angle(self._parameters, motion)
-        if self._points:
-            last = self._points[-1].twist
-            angle = last + (angle - last + pi) % (2 * pi) - pi
-        self._points.append(Point(motion.t, angle, motion.body.p_G_E))
+        trail = np.array([point.place for point in points]).reshape(len(points), 3)
+        twist = points[-1].twist if points else 0.0
+        late, frames = self._lateness.values(now), self._frame_time.values(now)
+        return Traces(trail, twist, late, frames, alarm)
 
 
 class Rolling:
@@ -101,10 +94,12 @@ class Rolling:
     def add(self, now: float, value: float) -> None:
         """Notes `value` at `now` [s]; the clock does not go back."""
         part = int(now / CHART_SPAN * CHART_COLUMNS)
-        self._forget_before(part)
+        if part > self._part:
+            passed = min(part - self._part, CHART_COLUMNS)
+            self._values[np.arange(part - passed + 1, part + 1) % CHART_COLUMNS] = np.nan
+            self._part = part
         column = part % CHART_COLUMNS
-        known = self._values[column]
-        self._values[column] = value if not known >= value else known
+        self._values[column] = np.fmax(self._values[column], value)
 
     def values(self, now: float) -> NDArray[np.float64]:
         """The values (CHART_COLUMNS,), the newest last; NaN where nothing was noted."""
@@ -115,13 +110,6 @@ class Rolling:
         shifted = np.full(CHART_COLUMNS, np.nan)
         shifted[: max(CHART_COLUMNS - age, 0)] = rolled[age:]
         return shifted
-
-    def _forget_before(self, part: int) -> None:
-        passed = part - self._part
-        if passed > 0:
-            columns = np.arange(part - min(passed, CHART_COLUMNS) + 1, part + 1) % CHART_COLUMNS
-            self._values[columns] = np.nan
-            self._part = part
 
 
 def twist_angle(parameters: Parameters, motion: Motion) -> float:

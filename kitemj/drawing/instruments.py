@@ -11,23 +11,10 @@ import pygame
 from kitemj.controls.actions import PANELS
 from kitemj.drawing import strip_chart, wind_window
 from kitemj.drawing.alarms import Alarm, alarm_at, loudness, paint_banner
+from kitemj.drawing.colours import CALL, DIM, GOOD, LEFT, RIGHT, TROUGH, WHITE
 from kitemj.drawing.knob import paint_knob
 from kitemj.drawing.lesson_panel import beside, paint_lesson, paint_touch
-from kitemj.drawing.panel import (
-    CALL,
-    DIM,
-    GOOD,
-    LARGE,
-    LEFT,
-    NAME,
-    NOW,
-    NUMBER,
-    RIGHT,
-    TROUGH,
-    WHITE,
-    Panel,
-    box_of,
-)
+from kitemj.drawing.panel import LARGE, NAME, NOW, NUMBER, Panel, Place, box_of
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.scene import newtons_per_metre
 from kitemj.drawing.strip_chart import paint_chart
@@ -37,8 +24,6 @@ from kitemj.drawing.wind_window import WindWindow, bearing
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import SIDESLIP, STALL, TWIST, Numbers
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import norm
-from kitemj.physics.wind import wind_velocity
 
 MARGIN = 12
 STRIP = 118  # height of the strip along the bottom
@@ -56,7 +41,8 @@ class Instruments:
         self.u = min(height / 720, width / 1280)
         self._window = WindWindow(parameters)
         self._boxes = self._layout()
-        self._taken: list[pygame.Rect] = []
+        self.taken: list[pygame.Rect] = []
+        """The boxes of all that is painted in the last frame [px]."""
 
     def paint(
         self,
@@ -70,13 +56,16 @@ class Instruments:
 
         From `near` the kite is low in the frame, else high: the banner is where it is not.
         """
-        names, traces = self._on(readings, shown), readings.traces
+        traces = readings.traces
+        timed = readings.missed_ticks or (traces and np.isfinite(traces.lateness).any())
+        # where nobody keeps time the chart has nothing to show
+        names = [name for name in PANELS if name in shown and (timed or name != "chart")]
         twist = traces.twist if traces else 0.0
         alarm = alarm_at(self.parameters, motion, twist) or (traces.alarm if traces else None)
         # the panel that alarms comes last, so that its frame lies over its neighbours
         for name in sorted(names, key=lambda name: loudness(alarm, name)):
             self._paint_panel(name, surface, motion, readings, loudness(alarm, name))
-        self._taken = [self.box(name) for name in names]
+        self.taken = [self.box(name) for name in names]
         self._say(surface, readings, None if readings.touch else alarm, near)
 
     def _say(
@@ -85,43 +74,27 @@ class Instruments:
         """Paints lesson, touch of the ground, message and alarm, as there is room."""
         room, u = self._room(near), self.u
         if readings.lesson:
-            self._taken.append(paint_lesson(surface, room, u, readings.lesson, near))
-            room = beside(room, self._taken[-1], u)
-        self._taken.append(paint_banner(surface, room, u, alarm, readings.message, near))
+            self.taken.append(paint_lesson(surface, room, u, readings.lesson, near))
+            room = beside(room, self.taken[-1], u)
+        self.taken.append(paint_banner(surface, room, u, alarm, readings.message, near))
         if readings.touch:
             if readings.message:
-                room = beside(room, self._taken[-1], u)
-            self._taken.append(paint_touch(surface, room, u, readings.touch))
+                room = beside(room, self.taken[-1], u)
+            self.taken.append(paint_touch(surface, room, u, readings.touch))
 
     def box(self, name: str) -> pygame.Rect:
         """The box of a panel in the frame [px], painted or not."""
         return box_of(self._boxes[name], self.u)
 
-    def taken(self) -> list[pygame.Rect]:
-        """The boxes of all that is painted in the last frame [px]."""
-        return list(self._taken)
-
     def _room(self, near: bool) -> pygame.Rect:
         """The box where the banner may be [px]: between the panels, above or below."""
-        u, foot = self.u, self.height - (STRIP + 10) * self.u
+        u = self.u
         left, right = (318, 410) if near else (440, 316)
-        return pygame.Rect(
-            round(left * u),
-            round(MARGIN * u),
-            round(self.width - (left + right) * u),
-            round(foot - MARGIN * u),
-        )
+        wide, tall = self.width - (left + right) * u, self.height - (STRIP + 10 + MARGIN) * u
+        return pygame.Rect(round(left * u), round(MARGIN * u), round(wide), round(tall))
 
-    def _on(self, readings: Readings, shown: set[str]) -> list[str]:
-        names = [name for name in PANELS if name in shown]
-        traces = readings.traces
-        kept = traces is not None and bool(np.isfinite(traces.lateness).any())
-        if not kept and not readings.missed_ticks and "chart" in names:
-            names.remove("chart")  # nobody keeps time: there is nothing to show
-        return names
-
-    def _layout(self) -> dict[str, tuple[float, float, float, float]]:
-        """The x, y [px] and width, height [units] of each panel by name."""
+    def _layout(self) -> dict[str, Place]:
+        """The place of each panel by name."""
         u, left, top = self.u, MARGIN * self.u, self.height - STRIP * self.u
         right, third = self.width - (292 + MARGIN) * u, self.width / 3
         chart = INSET_FOOT + wind_window.HEIGHT + MARGIN
@@ -139,14 +112,12 @@ class Instruments:
         self, name: str, surface: pygame.Surface, motion: Motion, readings: Readings, alarm: int
     ) -> None:
         panel, traces = Panel(surface, self._boxes[name], self.u), readings.traces
+        panel.ground(alarm)
         if name == "window":
             self._window.paint(panel, motion, traces.trail if traces else NO_TRAIL)
-            return
-        if name == "chart":
+        elif name == "chart":
             paint_chart(panel, traces, readings.missed_ticks, readings.lateness)
-            return
-        panel.ground(alarm)
-        if name == "flight":
+        elif name == "flight":
             self._flight(panel, motion, readings, alarm)
         elif name == "air":
             self._air(panel, motion, alarm)
@@ -178,12 +149,10 @@ class Instruments:
     def _air(self, panel: Panel, motion: Motion, alarm: int) -> None:
         """Paints α and β as marks between their limits."""
         limits, air = self.parameters.limits, motion.air
-        rows = (
-            ("α", air.alpha, limits.alpha_stall, STALL),
-            ("β", air.beta, limits.beta_max, SIDESLIP),
-        )
+        alpha = ("α", air.alpha, limits.alpha_stall, STALL)
+        beta = ("β", air.beta, limits.beta_max, SIDESLIP)
         left, wide = 14.0, panel.width - 28
-        for i, (name, angle, most, limit) in enumerate(rows):
+        for i, (name, angle, most, limit) in enumerate((alpha, beta)):
             row, middle = 26 + 64 * i, left + wide / 2
             beyond = not limit.kept(limits, Numbers((), *air))
             panel.text(name, left, row, NUMBER, WHITE if alarm == NOW else DIM)
@@ -200,8 +169,7 @@ class Instruments:
         """Paints the model, who steers, how far the reference is, how the lines are twisted."""
         right, name = panel.width - MARGIN, WHITE if alarm == NOW else DIM
         panel.text(readings.model, 24, 24, NUMBER, WHITE)
-        if readings.stick:
-            panel.text(readings.stick, right, 24, colour=name, align=1)
+        panel.text(readings.stick, right, 24, colour=name, align=1)
         panel.text("to reference", 24, 60, colour=name)
         gap = "none" if readings.gap is None else _length(readings.gap)
         panel.text(gap, right, 60, NUMBER, WHITE, 1)
@@ -211,7 +179,8 @@ class Instruments:
         size, colour = NUMBER, (RIGHT if turns > 0 else LEFT) if turns else WHITE
         if not TWIST.kept(self.parameters.limits, Numbers(twist=twist)):
             size, colour = LARGE, CALL
-        panel.text(_turns(turns), right, 96, size, colour, 1)
+        told = f"{abs(turns)} {'right' if turns > 0 else 'left'}" if turns else "0"
+        panel.text(told, right, 96, size, colour, 1)
 
     def legend(self, surface: pygame.Surface) -> None:
         """Paints what the arrows at the kite mean, above the strip along the bottom."""
@@ -221,20 +190,10 @@ class Instruments:
         foot = self.height - STRIP * u
         panel, x = Panel(surface, (0.0, foot - 36 * u, room, 36), u), 16.0
         panel.ground()
-        self._taken.append(panel.box)
+        self.taken.append(panel.box)
         for text, colour in names:
             panel.text(text, x, 18, NAME, colour)
             x += width(text, NAME * u) / u + 16
-
-    def wind_text(self, motion: Motion) -> str:
-        """The wind's speed where the kite is."""
-        v_E = wind_velocity(self.parameters.wind, motion.body.p_G_E, motion.t)
-        return f"WIND {norm(v_E):.1f} m/s"
-
-
-def _turns(turns: int) -> str:
-    """Whole turns of the lines as text; positive is to the right."""
-    return f"{abs(turns)} {'right' if turns > 0 else 'left'}" if turns else "0"
 
 
 def _sided(azimuth: float) -> str:

@@ -2,7 +2,8 @@
 
 from math import cos, degrees, radians, sin
 
-from kitemj.drawing.panel import CALL, DIM, LARGE, LEFT, NUMBER, RIGHT, TROUGH, WHITE, Panel
+from kitemj.drawing.colours import CALL, DIM, LEFT, RIGHT, TROUGH, WHITE
+from kitemj.drawing.panel import LARGE, NUMBER, Panel
 from kitemj.physics.shaping import StickLaw
 
 SWEEP = 135.0  # deg from the top to a limit; to the right for the right hand
@@ -21,7 +22,7 @@ def paint_knob(
     """
     colour = RIGHT if delta > LEVEL else LEFT if delta < -LEVEL else DIM
     hand = "RIGHT hand" if delta > LEVEL else "LEFT hand" if delta < -LEVEL else "hands level"
-    actual, asked = _clipped(delta / limit), _clipped(wish / limit)
+    actual, asked = (min(max(angle / limit, -1.0), 1.0) for angle in (delta, wish))
     panel.polygon(_band(-1.0, 1.0), TROUGH)
     if abs(actual) > 1e-3:
         panel.polygon(_band(min(0.0, actual), max(0.0, actual)), colour)
@@ -52,7 +53,3 @@ def _band(start: float, end: float) -> list[tuple[float, float]]:
     steps = max(round(24 * (end - start)), 2)
     shares = [start + (end - start) * i / steps for i in range(steps + 1)]
     return [_at(s, OUTER) for s in shares] + [_at(s, INNER) for s in reversed(shares)]
-
-
-def _clipped(share: float) -> float:
-    return min(max(share, -1.0), 1.0)

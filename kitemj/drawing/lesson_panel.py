@@ -6,8 +6,9 @@ touch in the middle.
 
 import pygame
 
-from kitemj.drawing.panel import CALL, DIM, GOOD, INK, LEFT, NAME, RIGHT, TROUGH, WHITE, Panel
-from kitemj.drawing.text import Colour, width, wrapped
+from kitemj.drawing.colours import CALL, DIM, GOOD, INK, LEFT, RIGHT, TROUGH, WHITE, Colour
+from kitemj.drawing.panel import NAME, Panel
+from kitemj.drawing.text import width, wrapped
 from kitemj.pilots.course import LessonStatus
 from kitemj.pilots.crash import Touch
 
@@ -62,30 +63,21 @@ def _progress(panel: Panel, lesson: LessonStatus) -> None:
     """Paints a bar, and at its ends which way the stick should go, by how much."""
     row, left, wide = 112, 84.0, panel.width - 168
     panel.bar(left, row, wide, 10, TROUGH)
-    share = min(max(lesson.progress, 0.0), 1.0)
-    if share > 0:
-        panel.bar(left, row, share * wide, 10, GOOD)
+    if lesson.progress > 0:
+        panel.bar(left, row, min(lesson.progress, 1.0) * wide, 10, GOOD)
     for side, colour in ((-1.0, LEFT), (1.0, RIGHT)):
         edge = left - 14 if side < 0 else left + wide + 14
         for i, least in enumerate(CHEVRONS):
-            lit = lesson.push * side > least
             foot = edge + side * 18 * i
-            tip = (foot + side * 13, row + 5)
-            points = [(foot, row - 6), tip, (foot, row + 16)]
-            panel.polygon(points, colour if lit else TROUGH)
+            points = [(foot, row - 6), (foot + side * 13, row + 5), (foot, row + 16)]
+            panel.polygon(points, colour if lesson.push * side > least else TROUGH)
 
 
 def paint_touch(
     surface: pygame.Surface, room: pygame.Rect, unit: float, touch: Touch
 ) -> pygame.Rect:
-    """Paints a card in the middle of `room` [px]: what broke, how fast, where, what to do.
-
-    Returns where that is.
-    """
-    colour = GOOD if touch.gentle else CALL
-    whole = unit
-    for share in (1.0, 0.9, 0.8, 0.7):  # the first that fits
-        unit = share * whole
+    """Paints what broke, how fast, where, what to do, in the middle of `room`; its box [px]."""
+    for unit in [share * unit for share in (1.0, 0.9, 0.8, 0.7)]:  # the first that fits
         lines = _card(touch, room.width / unit - 2 * CARD_EDGE, unit)
         tall = sum(size * LEADING for _, size, _ in lines) + 2 * CARD_EDGE
         if tall * unit <= room.height:
@@ -94,7 +86,8 @@ def paint_touch(
     corner = room.centerx - wide * unit / 2, room.centery - tall * unit / 2
     panel = Panel(surface, (*corner, wide, tall), unit)
     surface.fill(INK, panel.box)
-    pygame.draw.rect(surface, colour, panel.box, max(round(3 * unit), 1))
+    edge = GOOD if touch.gentle else CALL
+    pygame.draw.rect(surface, edge, panel.box, max(round(3 * unit), 1))
     row = float(CARD_EDGE)
     for text, size, shade in lines:
         panel.text(text, wide / 2, row + size * LEADING / 2, size, shade, 0.5)
@@ -108,8 +101,7 @@ def _card(touch: Touch, inner: float, unit: float) -> list[tuple[str, float, Col
     if not touch.gentle:
         said.append((touch.reason, 16.0, DIM))
     facts = (f"First the {touch.part}", touch.pace, touch.place)
-    said += [(fact, 18.0, WHITE) for fact in facts]
-    said.append((START_AGAIN, 20.0, CALL))
+    said += [*((fact, 18.0, WHITE) for fact in facts), (START_AGAIN, 20.0, CALL)]
     return [
         (line, size, colour)
         for text, size, colour in said

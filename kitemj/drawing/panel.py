@@ -7,32 +7,22 @@ from collections.abc import Sequence
 
 import pygame
 
-from kitemj.drawing.text import Colour, put
+from kitemj.drawing.colours import ALARM, CALL, DIM, Colour
+from kitemj.drawing.text import put
 
-WHITE: Colour = (255, 255, 255)
-DIM: Colour = (205, 212, 220)
-LEFT: Colour = (255, 84, 84)  # the pilot's left, A₊, as on the kite
-RIGHT: Colour = (104, 156, 255)
-GOOD: Colour = (120, 220, 120)
-BAD: Colour = (255, 70, 60)
-ALARM: Colour = (176, 24, 20)
-CALL: Colour = (255, 214, 60)
-SHADE: Colour = (70, 78, 90)  # what multiplies a picture that is to be written on
-TROUGH: Colour = (40, 46, 54)
-INK: Colour = (20, 22, 26)
 NUMBER, NAME = 23, 18  # px of digit height in a frame of 720 rows
 LARGE = 30  # of the number that is out of its limits
 QUIET, RECENT, NOW = 0, 1, 2
 """How loud a panel is: nothing wrong, a limit was crossed a moment ago, it is crossed."""
 
+Place = tuple[float, float, float, float]
+"""x, y [px of the frame], width and height [units]."""
+
 
 class Panel:
     """A box of the frame at (`x`, `y`) px; its own coordinates start there, in units of `unit`."""
 
-    def __init__(
-        self, surface: pygame.Surface, box: tuple[float, float, float, float], unit: float
-    ) -> None:
-        """`box` is x, y [px of the frame] and width, height [units]."""
+    def __init__(self, surface: pygame.Surface, box: Place, unit: float) -> None:
         self.surface, self.unit = surface, unit
         self.x, self.y, self.width, self.height = box
 
@@ -103,8 +93,8 @@ class Panel:
         pygame.draw.circle(self.surface, colour, self.at(x, y), max(radius * self.unit, 1.0))
 
 
-def box_of(place: tuple[float, float, float, float], unit: float) -> pygame.Rect:
-    """The box of x, y [px], width and height [units] in whole pixels; neighbours share an edge."""
+def box_of(place: Place, unit: float) -> pygame.Rect:
+    """The box of a place in whole pixels; neighbours share an edge."""
     x, y, width, height = place
     left, top = round(x), round(y)
     right, bottom = round(x + width * unit), round(y + height * unit)

@@ -22,7 +22,8 @@ from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import Vector, plus, times
+from kitemj.physics.vectors import Vector, norm, plus, times
+from kitemj.physics.wind import wind_velocity
 
 RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0, "top": 38.0}  # deg, right of downwind
 INSET = 0.3  # size of the small view in parts of a frame of 16:9
@@ -40,20 +41,18 @@ class Picture(Closing):
     def __init__(self, parameters: Parameters, width: int = 1280, height: int = 720) -> None:
         """Frames of `width` x `height` pixels; InputError below 320 x 180."""
         if width < 320 or height < 180:
-            raise InputError(
-                f"a picture of {width} x {height} pixels is too small, at least 320 x 180"
-            )
+            size = f"{width} x {height} pixels"
+            raise InputError(f"a picture of {size} is too small, at least 320 x 180")
         self.parameters, self.width, self.height = parameters, width, height
-        self.shown: set[str] = set(INSTRUMENTS)
+        self.shown = set(INSTRUMENTS)
         self._orbit = views.first_orbit(parameters)
         self._graphics = open_graphics(width, height)
         self._camera: views.Camera | None = None
         self._inset_camera: views.Camera | None = None
         self._scene = Scene(parameters, width, height, self._graphics.software)
         with self._graphics.context.as_current():
-            self._context: Any = mujoco.MjrContext(
-                self._scene.model, mujoco.mjtFontScale.mjFONTSCALE_100
-            )
+            font = mujoco.mjtFontScale.mjFONTSCALE_100
+            self._context: Any = mujoco.MjrContext(self._scene.model, font)
             mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._context)
         self._instruments = Instruments(parameters, width, height)
         self._pixels = np.empty((height, width, 3), np.uint8)
@@ -107,8 +106,7 @@ class Picture(Closing):
         self, frame: NDArray[np.uint8], motion: Motion, readings: Readings, view: str
     ) -> None:
         """Paints trail, labels and instruments into the frame itself."""
-        size = (self.width, self.height)
-        surface = pygame.image.frombuffer(frame.data, size, "RGB")
+        surface = pygame.image.frombuffer(frame.data, (self.width, self.height), "RGB")
         if readings.traces and "trail" in self.shown:
             self._trails(surface, readings.traces.trail, motion)
         if self._inset_camera:
@@ -128,12 +126,12 @@ class Picture(Closing):
         away = np.linalg.norm(points - points[-1], axis=1)
         clear = away > CLEAR * self.parameters.kite.span
         whole = surface.get_rect()
+        assert self._camera is not None
         if self._inset_camera:
             # the small view is a picture of its own: the large one's trail must not cross it
             kept = surface.subsurface(inset).copy()
-        if self._camera:
-            places, usable = seen(self._camera, points, whole)
-            paint_trail(surface, places, usable & clear, whole, TRAIL * unit)
+        places, usable = seen(self._camera, points, whole)
+        paint_trail(surface, places, usable & clear, whole, TRAIL * unit)
         if self._inset_camera:
             surface.blit(kept, inset)
             few = slice(None, None, -3)  # enough for a small picture
@@ -143,14 +141,13 @@ class Picture(Closing):
     def _labels(self, surface: pygame.Surface, motion: Motion, view: str) -> None:
         """Writes the wind's speed at its arrow, the rings' distances; where there is room."""
         close = self._close(view)
-        taken = self._instruments.taken()
-        if self._inset_camera:
-            taken.append(self._inset_rows())
+        taken = self._instruments.taken + ([self._inset_rows()] if self._inset_camera else [])
         tail, tip = self._scene.wind_arrow(motion, close)
         aside, below, align = (0.0, 34.0, 0.5) if close else (-20.0, 0.0, 1.0)
         if view == "side":  # where the pilot stands beside the arrow's tail
             aside, below, align = 0.0, 34.0, 0.0
-        wind = self._instruments.wind_text(motion)
+        v_E = wind_velocity(self.parameters.wind, motion.body.p_G_E, motion.t)
+        wind = f"WIND {norm(v_E):.1f} m/s"
         if not self._label(surface, tail, wind, 20, (aside, below), align, taken):
             middle = times(0.5, plus(tail, tip))
             self._label(surface, middle, wind, 20, (44.0, 14.0), 0.0, taken)
@@ -195,8 +192,8 @@ class Picture(Closing):
             return False
         wide, tall = width(text, size * unit), round(1.3 * size * unit)
         box = pygame.Rect(round(column - align * wide), round(row - tall / 2), wide, tall)
-        near = box.inflate(8 * unit, 0)
-        if near.collidelist(taken) >= 0 or not surface.get_rect().contains(box):
+        free = box.inflate(8 * unit, 0).collidelist(taken) < 0
+        if not free or not surface.get_rect().contains(box):
             return False
         put(surface, text, column, row, size * unit, align=align)
         taken.append(box)
@@ -211,8 +208,7 @@ class Picture(Closing):
     def _render_inset(self, motion: Motion, reference: Motion | None, view: str) -> None:
         """Renders the small view: the kite from near; all, if the main view is near."""
         other = "pilot" if self._close(view) else "chase"
-        camera = views.CAMERAS[other](self.parameters, motion)
-        self._inset_camera = camera
+        self._inset_camera = camera = views.CAMERAS[other](self.parameters, motion)
         self._scene.fill(motion, reference, camera, other == "chase", "forces" in self.shown)
         rows = self._inset_rows()
         bottom = self.height - rows.bottom  # OpenGL counts rows from below

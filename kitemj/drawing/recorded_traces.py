@@ -3,15 +3,9 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from kitemj.drawing import history
 from kitemj.drawing.alarms import HELD, alarm_at
-from kitemj.drawing.history import (
-    CHART_COLUMNS,
-    CHART_SPAN,
-    TRAIL_POINTS,
-    TRAIL_STEP,
-    Traces,
-    twist_angle,
-)
+from kitemj.drawing.history import CHART_COLUMNS, CHART_SPAN, Traces, twist_angle
 from kitemj.flight.limits import TWIST, Numbers
 from kitemj.recording.file import Recording
 from kitemj.recording.table import LIMITS
@@ -29,7 +23,7 @@ class RecordedTraces:
         self._recording, self._track, self._tick = recording, track, tick
         self._places = np.column_stack([columns[name] for name in ("x_E_m", "y_E_m", "z_E_m")])
         self._beyond = np.logical_or.reduce([columns[name] for name in LIMITS])
-        self._every = max(1, round(TRAIL_STEP / tick))
+        self._every = max(1, round(history.TRAIL_STEP / tick))
         self._looks = max(1, round(TWIST_STEP / tick))
         self._starts = np.array([episode.start for episode in recording.episodes])
         self._twist = np.concatenate([self._twists(episode) for episode in recording.episodes])
@@ -38,13 +32,11 @@ class RecordedTraces:
     def at(self, row: int) -> Traces:
         """The traces to be shown at `row`."""
         start = int(self._starts[np.searchsorted(self._starts, row, side="right") - 1])
-        first = max(start, row - self._every * (TRAIL_POINTS - 1))
+        first = max(start, row - self._every * (history.TRAIL_POINTS - 1))
         trail = self._places[row : first - 1 if first else None : -self._every][::-1].copy()
         twist, alarm = float(self._twist[row]), None
-        recent = np.flatnonzero(
-            self._beyond[max(0, row - round(HELD / self._tick)) : row + 1][::-1]
-        )
-        if len(recent):
+        held = max(0, row - round(HELD / self._tick))
+        if len(recent := np.flatnonzero(self._beyond[held : row + 1][::-1])):
             last = row - int(recent[0])
             motion, turned = self._track.motion(last), float(self._twist[last])
             found = alarm_at(self._recording.parameters, motion, turned) if motion else None
@@ -58,12 +50,10 @@ class RecordedTraces:
         values = np.full(share * CHART_COLUMNS, np.nan)
         known = self._recording.columns["lateness_s"][: row + 1][-len(values) :]
         values[len(values) - len(known) :] = known
-        parts = values.reshape(CHART_COLUMNS, share)
-        return np.asarray(np.fmax.reduce(parts, axis=1))
+        return np.asarray(np.fmax.reduce(values.reshape(CHART_COLUMNS, share), axis=1))
 
     def _twists(self, episode: slice) -> NDArray[np.float64]:
         """The twist [rad] at each row of the episode, as it was when last looked at."""
-        rows = range(episode.start, episode.stop, self._looks)
-        motions = [self._track.motion(row) for row in rows]
+        motions = map(self._track.motion, range(episode.start, episode.stop, self._looks))
         angles = [twist_angle(self._track.parameters, motion) for motion in motions if motion]
         return np.repeat(np.unwrap(angles), self._looks)[: episode.stop - episode.start]

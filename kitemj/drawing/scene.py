@@ -6,7 +6,7 @@ frame E and leave in W through `kitemj.physics.frames`.
 """
 
 from collections.abc import Sequence
-from itertools import chain, pairwise, repeat
+from itertools import chain, pairwise, product, repeat
 from math import sqrt, tan
 from typing import Any
 
@@ -40,6 +40,7 @@ LINE = int(mujoco.mjtGeom.mjGEOM_LINE)
 CAPSULE = int(mujoco.mjtGeom.mjGEOM_CAPSULE)
 SPHERE = int(mujoco.mjtGeom.mjGEOM_SPHERE)
 ALL = int(mujoco.mjtCatBit.mjCAT_ALL)
+SKYBOX, CULL_FACE = int(mujoco.mjtRndFlag.mjRND_SKYBOX), int(mujoco.mjtRndFlag.mjRND_CULL_FACE)
 NOWHERE, UPRIGHT = np.zeros(3), np.eye(3).ravel()
 
 
@@ -53,14 +54,9 @@ class Scene:
         self._data = mujoco.MjData(self.model)
         self._option = mujoco.MjvOption()
         self._free = mujoco.MjvCamera()
-        self._enlarged = look.enlargement(parameters)
         self._references = np.flatnonzero(self.model.geom_group >= look.REFERENCE_GROUP)
-        shown = (
-            mujoco.mjtRndFlag.mjRND_SKYBOX,
-            mujoco.mjtRndFlag.mjRND_CULL_FACE,
-        )
-        for flag in range(len(self.mjv.flags)):
-            self.mjv.flags[flag] = flag in [int(s) for s in shown]
+        self.mjv.flags[:] = 0
+        self.mjv.flags[[SKYBOX, CULL_FACE]] = 1
 
     def fill(
         self,
@@ -77,18 +73,17 @@ class Scene:
         """
         size = 0 if close else 1
         visible = 0.0 if reference is None else _visibility(motion, reference, self.parameters)
-        for group in range(1, 6):
-            on = group == look.KITE + size or (group == look.REFERENCE_GROUP + size and visible > 0)
-            self._option.geomgroup[group] = on
-        self._place(0, motion)
-        if reference is not None:
-            self._place(1, reference)
-            self.model.geom_rgba[self._references, 3] = 0.5 * visible
-        mujoco.mj_kinematics(self.model, self._data)
-        mujoco.mj_camlight(self.model, self._data)
-        mujoco.mjv_updateScene(
-            self.model, self._data, self._option, None, self._free, ALL, self.mjv
-        )
+        self._option.geomgroup[1:] = 0
+        self._option.geomgroup[look.KITE + size] = 1
+        self._option.geomgroup[look.REFERENCE_GROUP + size] = visible > 0
+        model, data = self.model, self._data
+        for mocap, each in enumerate((motion,) if reference is None else (motion, reference)):
+            data.mocap_pos[mocap] = world(each.body.p_G_E)
+            data.mocap_quat[mocap] = world_quaternion(quaternion(each.body.R_BE))
+        model.geom_rgba[self._references, 3] = 0.5 * visible
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_camlight(model, data)
+        mujoco.mjv_updateScene(model, data, self._option, None, self._free, ALL, self.mjv)
         self._aim(camera)
         self._add_lines(motion, COLOURS, 3.0 if close else 2.0)
         if reference is not None and visible > 0:
@@ -98,32 +93,25 @@ class Scene:
             self._add_bridles(motion)
             if forces:
                 self._add_forces(motion)
-        self._add_wind(motion, close)
+        tail, tip = self.wind_arrow(motion, close)
+        self._arrow(tail, minus(tip, tail), WIND, 0.04 * norm(minus(tip, tail)))
 
     def wind_arrow(self, motion: Motion, close: bool) -> tuple[Vector, Vector]:
         """Tail and tip [m, E] of the arrow that shows the wind."""
-        wind, span = downwind(self.parameters), self.parameters.kite.span
+        p, wind = self.parameters, downwind(self.parameters)
+        span, L = p.kite.span, p.lines.length
         left = cross(UP, wind)
         if close:
             aside = plus(times(1.25 * span, left), times(0.12 * span, UP))
             tail = plus(motion.body.p_G_E, plus(aside, times(-0.6 * span, wind)))
             return tail, plus(tail, times(1.2 * span, wind))
-        L = self.parameters.lines.length
         tail = plus(times(0.12 * L, left), times(0.05 * L, UP))
         return tail, plus(tail, times(0.25 * L, wind))
-
-    def _place(self, mocap: int, motion: Motion) -> None:
-        self._data.mocap_pos[mocap] = world(motion.body.p_G_E)
-        self._data.mocap_quat[mocap] = world_quaternion(quaternion(motion.body.R_BE))
 
     def _aim(self, camera: Camera) -> None:
         top = NEAR * tan(camera.field / 2)
         for eye in self.mjv.camera:
-            eye.pos, eye.forward, eye.up = (
-                world(camera.position),
-                world(camera.forward),
-                world(camera.up),
-            )
+            eye.pos, eye.forward, eye.up = (world(v_E) for v_E in camera[:3])
             eye.frustum_center, eye.frustum_top, eye.frustum_bottom = 0.0, top, -top
             eye.frustum_near, eye.frustum_far = NEAR, 2 * look.EXTENT
 
@@ -136,18 +124,10 @@ class Scene:
                 self._stroke(LINE, width, a, b, colour)
 
     def _add_bridles(self, motion: Motion) -> None:
-        kite = self.parameters.kite
-        for side in (1.0, -1.0):
+        for side, across, along in product((1.0, -1.0), (0.35, 0.92), (0.08, 0.75)):
             knot = attachment_E(self.parameters, motion.body, side)
-            for across in (0.35, 0.92):
-                for along in (0.08, 0.75):
-                    self._stroke(
-                        LINE,
-                        1.0,
-                        knot,
-                        _from_body(motion, surface_point(kite, side * across, along)),
-                        THREAD,
-                    )
+            point = surface_point(self.parameters.kite, side * across, along)
+            self._stroke(LINE, 1.0, knot, _from_body(motion, point), THREAD)
 
     def _add_forces(self, motion: Motion) -> None:
         p, body = self.parameters, motion.body
@@ -161,10 +141,6 @@ class Scene:
             *_, before, A = line.points
             pull = max(line.tension_kite, 0.0) * metres / norm(minus(before, A))
             self._arrow(A, times(pull, minus(before, A)), colour)
-
-    def _add_wind(self, motion: Motion, close: bool) -> None:
-        tail, tip = self.wind_arrow(motion, close)
-        self._arrow(tail, minus(tip, tail), WIND, 0.04 * norm(minus(tip, tail)))
 
     def _add_pilot(self, camera: Camera) -> None:
         """Adds a person 1.8 m tall, or as tall as it takes to be seen."""
@@ -180,7 +156,8 @@ class Scene:
             self._stroke(CAPSULE, 0.09 * s, at(0, foot, 0.05), at(0, foot / 2, 0.85), THREAD)
             self._stroke(CAPSULE, 0.07 * s, at(0, 1.2 * foot, 1.35), at(0.45, foot, 1.15), SKIN)
         self._stroke(CAPSULE, 0.19 * s, at(0, 0, 0.9), at(0, 0, 1.3), SHIRT)
-        self._ball(at(0, 0, 1.66), 0.15 * s, SKIN)
+        if (head := self._next(SPHERE, SKIN)) is not None:
+            head.size, head.pos = [0.15 * s] * 3, world(at(0, 0, 1.66))
 
     def _arrow(self, start: Vector, along: Vector, colour: Any, width: float = 0.0) -> None:
         if norm(along) > 1e-3:
@@ -191,12 +168,6 @@ class Scene:
         geom = self._next(kind, colour)
         if geom is not None:
             mujoco.mjv_connector(geom, kind, width, np.array(world(start)), np.array(world(end)))
-
-    def _ball(self, middle: Vector, radius: float, colour: Any) -> None:
-        geom = self._next(SPHERE, colour)
-        if geom is not None:
-            geom.size = [radius, radius, radius]
-            geom.pos = world(middle)
 
     def _next(self, kind: int, colour: Any) -> Any:
         if self.mjv.ngeom >= self.mjv.maxgeom:
@@ -232,14 +203,9 @@ def hanging(end: Vector, length: float) -> list[Vector]:
     distance = norm(end)
     level = max(sqrt(end.x * end.x + end.y * end.y) / distance, 0.25)
     depth = sqrt(max(0.375 * distance * (length - distance), 0.0)) / level
-    points = []
-    for i in range(SAG_PIECES + 1):
-        s = i / SAG_PIECES
-        straight = times(s, end)
-        points.append(
-            Vector(straight.x, straight.y, min(straight.z + 4 * depth * s * (1 - s), 0.0))
-        )
-    return points
+    shares = [i / SAG_PIECES for i in range(SAG_PIECES + 1)]
+    heights = [min(s * end.z + 4 * depth * s * (1 - s), 0.0) for s in shares]
+    return [Vector(s * end.x, s * end.y, z) for s, z in zip(shares, heights, strict=True)]
 
 
 def _from_body(motion: Motion, p_B: Vector) -> Vector:

@@ -96,10 +96,8 @@ def _add_ground(spec: Any) -> None:
 def _ground_texture() -> NDArray[np.uint8]:
     """Adds a texture: two greens in turn every 10 m, a line between, a bolder one every 100 m."""
     metre = TEXELS / TILE
-    place = np.arange(TEXELS) / metre
-    square = (place // 10).astype(int)
-    shade = np.where((square[:, None] + square[None, :]) % 2 == 0, 1.0, 0.94)
-    image = shade[:, :, None] * np.array(MEADOW)
+    square = (np.arange(TEXELS) / metre // 10).astype(int)
+    image = np.where(np.add.outer(square, square) % 2, 0.94, 1.0)[:, :, None] * np.array(MEADOW)
     thin = (np.arange(TEXELS) % (10 * metre)) < 1.0
     bold = np.arange(TEXELS) < 3
     for lines, strength in ((thin, 0.35), (bold, 0.6)):
@@ -114,13 +112,10 @@ def _add_sky(spec: Any) -> None:
     u, v = np.meshgrid(across, across)
     length = np.sqrt(1 + u**2 + v**2)
     wall, roof, floor = -v / length, 1 / length, -1 / length
-    faces = np.concatenate([_sky_colour(s) for s in (wall, wall, roof, floor, wall, wall)])
-    _add_texture(spec, "sky", mujoco.mjtTexture.mjTEXTURE_SKYBOX, faces)
-
-
-def _sky_colour(sine: NDArray[np.float64]) -> NDArray[np.uint8]:
+    sine = np.concatenate([wall, wall, roof, floor, wall, wall])
     blend = (np.clip(sine, 0, 1) ** 0.55)[..., None]
-    return np.asarray(255 * ((1 - blend) * HORIZON + blend * np.array(ZENITH)), np.uint8)
+    faces = np.asarray(255 * ((1 - blend) * HORIZON + blend * np.array(ZENITH)), np.uint8)
+    _add_texture(spec, "sky", mujoco.mjtTexture.mjTEXTURE_SKYBOX, faces)
 
 
 def _add_rings(spec: Any, length: float) -> None:
@@ -143,14 +138,8 @@ def _add_rings(spec: Any, length: float) -> None:
             ring = _annulus(k * step - band, k * step + band)
             across = np.repeat([[0.0, 0.5], [1.0, 0.5]], len(ring.vertices) // 2, axis=0)
             _add_mesh(spec, name, ring, across)
-            _add_shape(
-                spec.worldbody,
-                name,
-                material="ring",
-                rgba=[*WHITE, RING_ALPHA],
-                pos=lift,
-                group=KITE + size,
-            )
+            white = {"material": "ring", "rgba": [*WHITE, RING_ALPHA]}
+            _add_shape(spec.worldbody, name, **white, pos=lift, group=KITE + size)
 
 
 def _annulus(inner: float, outer: float) -> Mesh:
@@ -159,10 +148,8 @@ def _annulus(inner: float, outer: float) -> Mesh:
     turn = np.arange(sides) * 2 * np.pi / sides
     circle = np.stack([np.cos(turn), np.sin(turn), np.zeros(sides)], 1)
     i, j = np.arange(sides), (np.arange(sides) + 1) % sides
-    faces = [np.stack([i, i + sides, j + sides], 1), np.stack([i, j + sides, j], 1)]
-    return Mesh(
-        np.concatenate([inner * circle, outer * circle]), np.concatenate(faces).astype(np.int32)
-    )
+    faces = np.concatenate([np.stack([i, i + sides, j + sides], 1), np.stack([i, j + sides, j], 1)])
+    return Mesh(np.concatenate([inner * circle, outer * circle]), faces.astype(np.int32))
 
 
 def _add_kites(spec: Any, parameters: Parameters) -> None:
@@ -183,20 +170,16 @@ def _colour(part: str) -> tuple[float, ...]:
     return tuple(0.72 * c for c in base) if part.endswith("dark") else base
 
 
-def _add_mesh(
-    spec: Any, name: str, mesh: Mesh, texcoord: NDArray[np.float64] | None = None
-) -> None:
+def _add_mesh(spec: Any, name: str, mesh: Mesh, texcoord: Any = ()) -> None:
     added = spec.add_mesh(name=name, uservert=mesh.vertices.ravel(), userface=mesh.faces.ravel())
     added.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL  # flat meshes have no volume
-    if texcoord is not None:
-        added.usertexcoord = texcoord.ravel()
+    added.usertexcoord = np.ravel(texcoord)
 
 
 def _add_texture(spec: Any, name: str, kind: Any, image: NDArray[np.uint8]) -> None:
     height, width, channels = image.shape
-    spec.add_texture(
-        name=name, type=kind, width=width, height=height, nchannel=channels, data=image.ravel()
-    )
+    size = {"width": width, "height": height, "nchannel": channels}
+    spec.add_texture(name=name, type=kind, **size, data=image.ravel())
     if kind == mujoco.mjtTexture.mjTEXTURE_2D:
         layers = [""] * int(mujoco.mjtTextureRole.mjNTEXROLE)
         layers[int(mujoco.mjtTextureRole.mjTEXROLE_RGB)] = name

@@ -29,9 +29,8 @@ def smooth_lines(
     start, step = places[:-1], np.diff(places, axis=0)
     steep = np.abs(step[:, 1]) > np.abs(step[:, 0])
     low, high = np.minimum(start, start + step), np.maximum(start, start + step)
-    kept = (high >= (box.left - 2, box.top - 2)).all(1) & (
-        low <= (box.right + 2, box.bottom + 2)
-    ).all(1)
+    kept = (high >= (box.left - 2, box.top - 2)).all(1)
+    kept &= (low <= (box.right + 2, box.bottom + 2)).all(1)
     kept &= np.abs(step).max(axis=1, initial=0.0) < 2 * (box.width + box.height)
     if usable is not None:
         kept &= usable[:-1] & usable[1:]

@@ -5,13 +5,14 @@ missed tick is a red column from top to bottom.
 """
 
 from math import log10
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kitemj.drawing.colours import ALARM, BAD, GOOD, TROUGH, WHITE, Colour
 from kitemj.drawing.history import CHART_COLUMNS, Traces
-from kitemj.drawing.panel import ALARM, BAD, GOOD, QUIET, TROUGH, WHITE, Panel
-from kitemj.drawing.text import Colour
+from kitemj.drawing.panel import Panel
 from kitemj.flight.live import TICK
 
 WIDTH, HEIGHT = 292, 166
@@ -24,50 +25,38 @@ LINE: Colour = (120, 128, 140)
 
 def paint_chart(panel: Panel, traces: Traces | None, missed_ticks: int, lateness: float) -> None:
     """Paints the chart; `lateness` [s] of the last tick, `missed_ticks` since the start."""
-    panel.ground(QUIET)
     panel.text("missed ticks", LEFT, 20)
     panel.text(f"{missed_ticks}", WIDTH - 12, 20, 23, BAD if missed_ticks else WHITE, 1)
     panel.bar(LEFT, TOP - 20, WIDE, BOTTOM - TOP + 20, TROUGH)
     late = traces.lateness if traces else np.full(CHART_COLUMNS, np.nan)
     frames = traces.frame_time if traces else np.full(CHART_COLUMNS, np.nan)
-    for start, end in _spans(late > TICK):
+    edges = np.flatnonzero(np.diff(late > TICK, prepend=False, append=False))
+    for start, end in edges.reshape(-1, 2).tolist():
         panel.bar(_x(start), TOP - 20, max(_x(end) - _x(start), 3), BOTTOM - TOP + 20, ALARM)
-    limit = _y(TICK)
+    limit = float(_y(TICK))
     panel.line([(LEFT, limit), (LEFT + WIDE, limit)], LINE, 1)
     panel.text(f"{1e3 * TICK:.0f} ms", LEFT + 4, limit + 13, 18, LINE)
     for values, colour in ((late, GOOD), (frames, FRAME)):
         for run in _lines(values):
             panel.line(run, colour, 2)
     known = frames[np.isfinite(frames)]
-    newest = f"{1e3 * known[-1]:.0f} ms" if len(known) else ""
+    newest = f"frame {1e3 * known[-1]:.0f} ms" if len(known) else "ms"
     panel.text(f"late {1e3 * lateness:.1f}", LEFT, BOTTOM + 18, colour=GOOD)
-    panel.text(
-        f"frame {newest}" if newest else "ms", WIDTH - 12, BOTTOM + 18, colour=FRAME, align=1
-    )
+    panel.text(newest, WIDTH - 12, BOTTOM + 18, colour=FRAME, align=1)
 
 
-def _x(column: float) -> float:
+def _x(column: Any) -> Any:
     return LEFT + WIDE * column / CHART_COLUMNS
 
 
-def _y(seconds: float) -> float:
-    share = log10(min(max(seconds, LEAST), MOST) / LEAST) / log10(MOST / LEAST)
+def _y(seconds: Any) -> Any:
+    share = np.log10(np.clip(seconds, LEAST, MOST) / LEAST) / log10(MOST / LEAST)
     return BOTTOM - share * (BOTTOM - TOP + 20)
-
-
-def _spans(on: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First and one past the last column of each run of True."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], on.astype(np.int8), [0]])))
-    return [(int(a), int(b)) for a, b in edges.reshape(-1, 2)]
 
 
 def _lines(values: NDArray[np.float64]) -> list[list[tuple[float, float]]]:
     """Points of the lines through the columns that have a value; a gap of one is bridged."""
     known = np.flatnonzero(np.isfinite(values))
-    if not len(known):
-        return []
-    share = np.log10(np.clip(values[known], LEAST, MOST) / LEAST) / log10(MOST / LEAST)
-    rows = BOTTOM - share * (BOTTOM - TOP + 20)
-    points = np.stack([LEFT + WIDE * (known + 0.5) / CHART_COLUMNS, rows], axis=1)
+    points = np.stack([_x(known + 0.5), _y(values[known])], axis=1)
     runs = np.split(points, np.flatnonzero(np.diff(known) > 2) + 1)
     return [[(x, y) for x, y in run.tolist()] for run in runs if len(run) > 1]

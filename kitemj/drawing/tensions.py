@@ -6,19 +6,8 @@ that is about to break are both seen. Marks stand at 1/16, 1/4, 9/16 and all of 
 
 from math import sqrt
 
-from kitemj.drawing.panel import (
-    BAD,
-    CALL,
-    INK,
-    LARGE,
-    LEFT,
-    NOW,
-    NUMBER,
-    RIGHT,
-    TROUGH,
-    WHITE,
-    Panel,
-)
+from kitemj.drawing.colours import BAD, CALL, INK, LEFT, RIGHT, TROUGH, WHITE
+from kitemj.drawing.panel import LARGE, NOW, NUMBER, Panel
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import OVERLOAD, SLACK, Numbers
 from kitemj.physics.parameters import Parameters
@@ -43,10 +32,8 @@ def paint_tensions(panel: Panel, parameters: Parameters, motion: Motion, alarm: 
     for i, (name, line) in enumerate(zip(names, motion.lines, strict=True)):
         row, colour = TOP + (i + 0.5) * pitch, (LEFT, RIGHT, WHITE)[min(i, 2)]
         tension, hangs = line.tension_kite, line.length - norm(line.points[-1])
-        now = Numbers((tension,))
-        slack = hangs > HANGS or not SLACK.kept(limits, now)
-        over = not OVERLOAD.kept(limits, now)
-        wrong = alarm == NOW and (slack or over)
+        slack = hangs > HANGS or not SLACK.kept(limits, Numbers((tension,)))
+        over = not OVERLOAD.kept(limits, Numbers((tension,)))
         panel.text(name, 12, row, colour=WHITE if alarm == NOW else colour)
         panel.bar(BAR, row - half, ROOM, 2 * half, TROUGH)
         if slack:
@@ -59,5 +46,5 @@ def paint_tensions(panel: Panel, parameters: Parameters, motion: Motion, alarm: 
             tall = 2 * (half + 3) if quarter == 4 else 8
             panel.bar(BAR + quarter / 4 * ROOM - 1, row + half + 3 - tall, 2, tall, WHITE)
         value = f"{tension:.1f} N" if abs(tension) < 99.95 else f"{tension:.0f} N"
-        colour = CALL if slack or over else WHITE
-        panel.text(value, panel.width - 10, row, LARGE - 2 if wrong else NUMBER, colour, 1)
+        colour, size = (CALL, LARGE - 2) if slack or over else (WHITE, NUMBER)
+        panel.text(value, panel.width - 10, row, size if alarm == NOW else NUMBER, colour, 1)

@@ -5,7 +5,8 @@ from pathlib import Path
 
 import pygame
 
-Colour = tuple[int, int, int]
+from kitemj.drawing.colours import Colour
+
 DIGIT = 0.73  # height of a digit in font sizes, of the font that pygame brings
 KEPT = 1024  # strings; a flight shows a few dozen at a time
 

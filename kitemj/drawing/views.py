@@ -43,11 +43,8 @@ def pixel(camera: Camera, p_E: Vector, width: int, height: int) -> Pixel:
     depth = dot(sight, camera.forward)
     right = cross(camera.forward, camera.up)
     focal = height / 2 / tan(camera.field / 2) / (depth if depth != 0.0 else 1e-12)
-    return Pixel(
-        width / 2 - 0.5 + focal * dot(sight, right),
-        height / 2 - 0.5 - focal * dot(sight, camera.up),
-        depth,
-    )
+    column = width / 2 - 0.5 + focal * dot(sight, right)
+    return Pixel(column, height / 2 - 0.5 - focal * dot(sight, camera.up), depth)
 
 
 def looking(position: Vector, target: Vector) -> Camera:
@@ -71,26 +68,22 @@ def chase(parameters: Parameters, motion: Motion) -> Camera:
     return looking(eye, plus(kite, times(0.25 * span, UP)))
 
 
-def pilot(parameters: Parameters, motion: Motion) -> Camera:
+def pilot(parameters: Parameters, _: Motion) -> Camera:
     """The view from behind the pilot, downwind: pilot, lines, kite and the whole wind window."""
-    del motion
     L, wind = parameters.lines.length, downwind(parameters)
     position = plus(times(-1.35 * L, wind), times(0.3 * L, UP))
     return looking(position, plus(times(0.2 * L, wind), times(0.395 * L, UP)))
 
 
-def side(parameters: Parameters, motion: Motion) -> Camera:
+def side(parameters: Parameters, _: Motion) -> Camera:
     """The view from the pilot's right: the wind blows from left to right."""
-    del motion
     L, wind = parameters.lines.length, downwind(parameters)
-    right = cross(wind, UP)
     target = plus(times(0.62 * L, wind), times(0.4 * L, UP))
-    return looking(plus(target, times(1.5 * L, right)), target)
+    return looking(plus(target, times(1.5 * L, cross(wind, UP))), target)
 
 
-def top(parameters: Parameters, motion: Motion) -> Camera:
+def top(parameters: Parameters, _: Motion) -> Camera:
     """The view from straight above: the wind blows up the picture, the pilot's left is left."""
-    del motion
     L, wind = parameters.lines.length, downwind(parameters)
     position = plus(times(0.42 * L, wind), times(1.9 * L, UP))
     return Camera(position, times(-1.0, UP), wind, FIELD)
@@ -110,9 +103,7 @@ class Orbit(NamedTuple):
     def turned(self, d_azimuth: float, d_elevation: float) -> "Orbit":
         """The orbit further round, by angles in rad; never quite overhead or underfoot."""
         elevation = min(max(self.elevation + d_elevation, -HIGHEST), HIGHEST)
-        return self._replace(
-            azimuth=remainder(self.azimuth + d_azimuth, 2 * pi), elevation=elevation
-        )
+        return Orbit(remainder(self.azimuth + d_azimuth, 2 * pi), elevation, self.distance)
 
     def zoomed(self, factor: float, parameters: Parameters) -> "Orbit":
         """The orbit `factor` times nearer, between a span and four line lengths."""
@@ -143,12 +134,8 @@ def near(parameters: Parameters, orbit: Orbit) -> bool:
     return orbit.distance < NEAR_ORBIT * parameters.kite.span
 
 
-CAMERAS: dict[str, Callable[[Parameters, Motion], Camera]] = {
-    "chase": chase,
-    "pilot": pilot,
-    "side": side,
-    "top": top,
-}
+View = Callable[[Parameters, Motion], Camera]
+CAMERAS: dict[str, View] = {"chase": chase, "pilot": pilot, "side": side, "top": top}
 
 
 def downwind(parameters: Parameters) -> Vector:

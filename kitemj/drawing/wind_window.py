@@ -10,13 +10,13 @@ from math import acos, cos, degrees, hypot, pi, radians, sin
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.drawing.panel import CALL, DIM, LEFT, QUIET, RIGHT, WHITE, Panel
-from kitemj.drawing.text import Colour
+from kitemj.drawing.colours import CALL, DIM, LEFT, RIGHT, WHITE, Colour
+from kitemj.drawing.panel import Panel
 from kitemj.drawing.trail import paint_trail
 from kitemj.drawing.views import UP, downwind
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import Vector, cross, dot, norm, plus, times
+from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times
 
 WIDTH, HEIGHT = 292, 172
 FOOT = (146.0, 144.0)  # of the pilot: the middle of the ground line
@@ -33,9 +33,10 @@ class WindWindow:
     def __init__(self, parameters: Parameters) -> None:
         wind = downwind(parameters)
         self._wind, self._left = wind, cross(UP, wind)
-        self._sky = [_polar(radians(a), 1.0) for a in range(0, 181, 6)]
-        self._grid = [self._circle(elevation=e) for e in (30, 60)]
-        self._grid += [self._circle(azimuth=a) for a in (-60, -30, 0, 30, 60)]
+        (x, y), turns = FOOT, [radians(a) for a in range(0, 181, 6)]
+        self._sky = [(x + RADIUS * cos(turn), y - RADIUS * sin(turn)) for turn in turns]
+        self._grid = [[self._at(a, e) for a in range(-90, 91, 6)] for e in (30, 60)]
+        self._grid += [[self._at(a, e) for e in range(0, 91, 6)] for a in range(-60, 61, 30)]
 
     def place(self, p_E: Vector) -> tuple[float, float]:
         """The place of the point `p_E` [m, E] in the panel."""
@@ -57,7 +58,6 @@ class WindWindow:
 
     def paint(self, panel: Panel, motion: Motion, trail: NDArray[np.float64]) -> None:
         """Paints the instrument; `trail` (n, 3) [m, E], oldest first."""
-        panel.ground(QUIET)
         panel.polygon(self._sky, SKY)
         for line in self._grid:
             panel.line(line, GRID, 1)
@@ -78,30 +78,20 @@ class WindWindow:
         G = motion.body.p_G_E
         x, y = self.place(G)
         x, y = min(max(x, 14.0), WIDTH - 14.0), min(max(y, 14.0), FOOT[1] + 6)
-        ahead = self.place(plus(G, times(1e-3 * max(norm(G), 1.0), motion.body.R_BE.y)))
-        behind = self.place(plus(G, times(-1e-3 * max(norm(G), 1.0), motion.body.R_BE.y)))
+        tip = times(1e-3 * max(norm(G), 1.0), motion.body.R_BE.y)
+        ahead, behind = self.place(plus(G, tip)), self.place(minus(G, tip))
         dx, dy = ahead[0] - behind[0], ahead[1] - behind[1]
         size = max(hypot(dx, dy), 1e-9)
         dx, dy = WING * dx / size, WING * dy / size
         panel.line([(x, y), (x + dx, y + dy)], LEFT, 6)
         panel.line([(x, y), (x - dx, y - dy)], RIGHT, 6)
-        panel.dot(x, y, 5, WHITE if motion.body.p_G_E.z < 0 else CALL)
+        panel.dot(x, y, 5, WHITE if G.z < 0 else CALL)
 
-    def _circle(
-        self, elevation: float | None = None, azimuth: float = 0.0
-    ) -> list[tuple[float, float]]:
-        """Points of a line of equal elevation, or else of equal azimuth [deg]."""
-        turns = range(-90, 91, 6) if elevation is not None else range(0, 91, 6)
-        points = []
-        for turn in turns:
-            a, e = (turn, elevation) if elevation is not None else (azimuth, turn)
-            points.append(self.place(self._direction(radians(a), radians(e))))
-        return points
-
-    def _direction(self, azimuth: float, elevation: float) -> Vector:
-        """Unit vector [E]; `azimuth` [rad] positive to the pilot's left."""
+    def _at(self, azimuth_deg: float, elevation_deg: float) -> tuple[float, float]:
+        """The place of a direction; `azimuth_deg` is positive to the pilot's left."""
+        azimuth, elevation = radians(azimuth_deg), radians(elevation_deg)
         level = plus(times(cos(azimuth), self._wind), times(sin(azimuth), self._left))
-        return plus(times(cos(elevation), level), times(sin(elevation), UP))
+        return self.place(plus(times(cos(elevation), level), times(sin(elevation), UP)))
 
 
 def bearing(parameters: Parameters, p_E: Vector) -> tuple[float, float]:
@@ -109,8 +99,3 @@ def bearing(parameters: Parameters, p_E: Vector) -> tuple[float, float]:
     wind = downwind(parameters)
     ahead, left = dot(p_E, wind), dot(p_E, cross(UP, wind))
     return degrees(np.arctan2(left, ahead)), degrees(np.arctan2(-p_E.z, hypot(ahead, left)))
-
-
-def _polar(turn: float, share: float) -> tuple[float, float]:
-    x, y = FOOT
-    return x + share * RADIUS * cos(turn), y - share * RADIUS * sin(turn)

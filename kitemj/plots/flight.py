@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,14 +11,7 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
-from kitemj.flight.limits import (
-    RECORDED,
-    Departure,
-    Ending,
-    Numbers,
-    departure_in,
-    touches_ground,
-)
+from kitemj.flight.limits import RECORDED, Departure, Ending, Numbers, departure_in, touches_ground
 from kitemj.flight.motion_table import COLUMNS
 from kitemj.flight.simulate import Simulation
 from kitemj.physics.checked import unknown_key
@@ -105,9 +98,10 @@ class Flight(Tabled):
     def column(self, name: str, purpose: str) -> Array:
         """The column called `name`; InputError where it lacks (and what has it), or holds gaps."""
         if name not in self.columns:
-            raise InputError(
-                f"{self.name} lacks the column {name}, needed for {purpose}; {_has(name)}"
-            )
+            kinds = "the tables of simulations and recordings have it"
+            if name not in COLUMNS:
+                kinds = "a recording, its exported table and a scenario have it"
+            raise InputError(f"{self.name} lacks the column {name}, needed for {purpose}; {kinds}")
         column = self.columns[name]
         if column.dtype.kind not in "fiub":
             raise InputError(f"{self.name} holds text in the column {name}, where numbers must be")
@@ -130,9 +124,8 @@ class Flight(Tabled):
     @property
     def numbers(self) -> Numbers:
         """What limits are about; InputError where a column lacks."""
-        return limit_numbers(
-            {**self.columns, **{name: self.column(name, "the limits") for name in self._limited}}
-        )
+        checked = {name: self.column(name, "the limits") for name in self._limited}
+        return limit_numbers({**self.columns, **checked})
 
     @property
     def any_beyond(self) -> NDArray[np.bool_]:
@@ -178,13 +171,9 @@ def flight_of_simulation(simulation: Simulation) -> Flight:
         raise InputError(f"{simulation.scenario.source} could not be flown: {simulation.note}")
     name = f"{simulation.scenario.source}, {simulation.model}"
     flight = flight_of_motions(name, simulation.scenario.parameters, simulation.motions)
-    return replace(
-        flight,
-        notes=(simulation.note,) if simulation.note else (),
-        model=simulation.model,
-        motions=simulation.motions,
-        ending=simulation.ending,
-    )
+    notes = (simulation.note,) if simulation.note else ()
+    told = simulation.model, simulation.motions, simulation.ending
+    return Flight(name, flight.parameters, flight.columns, notes, *told)
 
 
 def flight_of_recording(recording: Recording, episode: int = 0) -> Flight:
@@ -194,10 +183,3 @@ def flight_of_recording(recording: Recording, episode: int = 0) -> Flight:
     number = f", flight {episode + 1} of {count}" if count > 1 else ""
     name = f"{recording.path.name}, {recording.header.model}{number}"
     return Flight(name, recording.parameters, columns)
-
-
-def _has(column: str) -> str:
-    """The kinds of files that would have the column, as text."""
-    if column in COLUMNS:
-        return "the tables of simulations and recordings have it"
-    return "a recording, its exported table and a scenario have it"

@@ -6,10 +6,10 @@ from kitemj.dynamics.motion import Body, attachment_E
 from kitemj.errors import InputError
 from kitemj.flight.scenario import parameters_named
 from kitemj.physics.frames import R_BE, Angles
-from kitemj.physics.parameter_files import parameter_set, set_names
+from kitemj.physics.parameter_files import set_names
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, norm
-from kitemj.plots.flight import Array, Flight
+from kitemj.plots.flight import Flight
 
 FITS = 1e-3
 """m; far above what a model leaves between a taut line and its attachment, far below any kite."""
@@ -28,7 +28,8 @@ def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters]:
     Those of `table` are not looked at. Raises InputError where its lines do not end at that
     kite, or at none, or where it lacks the columns to tell and no kite is given.
     """
-    kites = {kite: parameters_named(kite)} if kite else _sets()
+    names = [kite] if kite else sorted(set_names(), key=lambda name: name != DEFAULT)
+    kites = {name: parameters_named(name) for name in names}
     lacks = [name for name in (*POSE, *TENSIONS, *LENGTHS) if name not in table.columns]
     if lacks and not kite:
         raise InputError(
@@ -51,19 +52,9 @@ def line_gap(parameters: Parameters, table: Flight) -> float:
     rows = np.flatnonzero(table.matrix(TENSIONS, purpose).min(axis=1) > 0.0)
     rows = rows[:: max(1, len(rows) // STYLES)]
     poses, lengths = table.matrix(POSE, purpose)[rows], table.matrix(LENGTHS, purpose)[rows]
-    gaps = [
-        abs(norm(attachment_E(parameters, _body(pose), side)) - length)
-        for pose, pair in zip(poses, lengths, strict=True)
-        for side, length in zip((1.0, -1.0), pair, strict=True)
-    ]
+    gaps = []
+    for pose, pair in zip(poses.tolist(), lengths, strict=True):
+        body = Body(Vector(*pose[4:]), R_BE(Angles(*pose[:4])), STILL, STILL)
+        ends = [norm(attachment_E(parameters, body, side)) for side in (1.0, -1.0)]
+        gaps.append(np.abs(ends - pair))
     return float(np.median(gaps)) if gaps else 0.0
-
-
-def _sets() -> dict[str, Parameters]:
-    names = [DEFAULT, *(name for name in set_names() if name != DEFAULT)]
-    return {name: parameter_set(name) for name in names}
-
-
-def _body(pose: Array) -> Body:
-    numbers = pose.tolist()
-    return Body(Vector(*numbers[4:]), R_BE(Angles(*numbers[:4])), STILL, STILL)

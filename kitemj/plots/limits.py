@@ -12,27 +12,17 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from kitemj.flight.limits import OVERLOAD, SIDESLIP, SLACK, STALL, Limit, Numbers, departure_in
+from kitemj.plots import sheet
 from kitemj.plots.flight import Array, Flight
-from kitemj.plots.sheet import (
-    LEFT,
-    RIGHT,
-    LineStyle,
-    curve,
-    legend,
-    name_axis,
-    show_limits,
-    time_sheet,
-)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-
 STYLES = {
-    "T₊/T_max": LineStyle(r"$T_+/T_\mathrm{max}$ (left)", LEFT),
-    "T₋/T_max": LineStyle(r"$T_-/T_\mathrm{max}$ (right)", RIGHT, (0, (5, 2))),
-    "α/α_stall": LineStyle(r"$\alpha/\alpha_\mathrm{stall}$", "black", "-."),
-    "|β|/β_max": LineStyle(r"$|\beta|/\beta_\mathrm{max}$", "#A05A00", (0, (1.2, 1.2)), 1.8),
+    "T₊/T_max": sheet.LineStyle(r"$T_+/T_\mathrm{max}$ (left)", sheet.LEFT),
+    "T₋/T_max": sheet.LineStyle(r"$T_-/T_\mathrm{max}$ (right)", sheet.RIGHT, (0, (5, 2))),
+    "α/α_stall": sheet.LineStyle(r"$\alpha/\alpha_\mathrm{stall}$", "black", "-."),
+    "|β|/β_max": sheet.LineStyle(r"$|\beta|/\beta_\mathrm{max}$", "#A05A00", (0, (1.2, 1.2)), 1.8),
 }
 
 
@@ -86,11 +76,10 @@ def limits_figure(flight: Flight, title: str = "") -> Figure:
 
     Raises InputError where `flight` lacks a column.
     """
-    ratios = limit_ratios(flight)
-    figure, (ax,) = time_sheet(flight, title or f"Physical limits: {flight.name}", 1, 4.2)
-    for name, ratio in ratios.items():
-        curve(ax, flight, ratio, STYLES[name])
-    name_axis(ax, "part of the limit", "-")
-    show_limits(ax, (0.0, 1.0), ("0: slack, or α = 0", "1: the limit"))
-    legend(ax)
+    figure, (ax,) = sheet.time_sheet(flight, title or f"Physical limits: {flight.name}", 1, 4.2)
+    for name, ratio in limit_ratios(flight).items():
+        sheet.curve(ax, flight, ratio, STYLES[name])
+    sheet.name_axis(ax, "part of the limit", "-")
+    sheet.show_limits(ax, (0.0, 1.0), ("0: slack, or α = 0", "1: the limit"))
+    sheet.legend(ax)
     return figure

@@ -11,19 +11,9 @@ import numpy as np
 from kitemj.errors import InputError
 from kitemj.physics.rig import rig_of
 from kitemj.physics.steering import rest_ell
+from kitemj.plots import sheet
 from kitemj.plots.flight import Array, Flight
 from kitemj.plots.rates import q_dot
-from kitemj.plots.sheet import (
-    MINUS,
-    PLUS,
-    LineStyle,
-    closer,
-    curve,
-    legend,
-    name_axis,
-    show_limits,
-    time_sheet,
-)
 from kitemj.recording.table import STICK
 
 if TYPE_CHECKING:
@@ -32,28 +22,28 @@ if TYPE_CHECKING:
 STATE = ("phi_rad", "gamma_rad", "eta_rad", "theta_rad")
 SYMBOLS = (r"\varphi", r"\gamma", r"\eta", r"\theta")
 LENGTHS = ("length_plus_m", "length_minus_m")
-ASKED = LineStyle("asked for by the stick", "#A05A00", (0, (1.2, 1.2)), 1.8)
-FLOWN = LineStyle("flown")
+ASKED = sheet.LineStyle("asked for by the stick", "#A05A00", (0, (1.2, 1.2)), 1.8)
+FLOWN = sheet.LineStyle("flown")
 TALL = 7.5  # inches, of four diagrams
 
 
 def state_figure(flight: Flight) -> Figure:
     """The figure of φ, γ, η, θ [deg], free of jumps by a whole turn."""
     q = np.degrees(np.unwrap(flight.matrix(STATE, "the state"), axis=0))
-    figure, axes = time_sheet(flight, f"State: {flight.name}", 4, TALL)
+    figure, axes = sheet.time_sheet(flight, f"State: {flight.name}", 4, TALL)
     for ax, column, symbol in zip(axes, q.T, SYMBOLS, strict=True):
-        curve(ax, flight, column, LineStyle(symbol))
-        name_axis(ax, f"${symbol}$", "deg")
+        sheet.curve(ax, flight, column, sheet.LineStyle(symbol))
+        sheet.name_axis(ax, f"${symbol}$", "deg")
     return figure
 
 
 def rates_figure(flight: Flight) -> Figure:
     """The figure of φ̇, γ̇, η̇, θ̇ [deg/s], from the body's own rates and velocity."""
     rates = np.degrees(q_dot(flight))
-    figure, axes = time_sheet(flight, f"Rates of the state: {flight.name}", 4, TALL)
+    figure, axes = sheet.time_sheet(flight, f"Rates of the state: {flight.name}", 4, TALL)
     for ax, column, symbol in zip(axes, rates.T, SYMBOLS, strict=True):
-        curve(ax, flight, column, LineStyle(symbol))
-        name_axis(ax, rf"$\dot{{{symbol}}}$", "deg/s")
+        sheet.curve(ax, flight, column, sheet.LineStyle(symbol))
+        sheet.name_axis(ax, rf"$\dot{{{symbol}}}$", "deg/s")
     return figure
 
 
@@ -62,14 +52,14 @@ def tensions_figure(flight: Flight) -> Figure:
     names = rig_of(flight.parameters).lines
     pulls = flight.matrix([f"tension_{name}_N" for name in names], "the tensions").T
     ceiling = flight.parameters.limits.tension_max
-    figure, axes = time_sheet(flight, f"Line tensions: {flight.name}", 2, 6.0)
+    figure, axes = sheet.time_sheet(flight, f"Line tensions: {flight.name}", 2, 6.0)
     for ax in axes:
         for pull, style in zip(pulls, _line_styles(names), strict=True):
-            curve(ax, flight, pull, style)
-        name_axis(ax, "tension", "N")
-    legend(axes[0])
-    show_limits(axes[0], (0.0, ceiling), ("slack", f"ceiling {ceiling:g} N"))
-    closer(axes[1], flight)
+            sheet.curve(ax, flight, pull, style)
+        sheet.name_axis(ax, "tension", "N")
+    sheet.legend(axes[0])
+    sheet.show_limits(axes[0], (0.0, ceiling), ("slack", f"ceiling {ceiling:g} N"))
+    sheet.closer(axes[1], flight)
     return figure
 
 
@@ -78,14 +68,14 @@ def angles_figure(flight: Flight) -> Figure:
     alpha, beta = flight.matrix(("alpha_deg", "beta_deg"), "the angles").T
     limits = flight.parameters.limits
     stall, largest = degrees(limits.alpha_stall), degrees(limits.beta_max)
-    figure, axes = time_sheet(flight, f"Angles of the air: {flight.name}", 4, TALL)
+    figure, axes = sheet.time_sheet(flight, f"Angles of the air: {flight.name}", 4, TALL)
     for ax, angle, symbol in zip(axes, (alpha, alpha, beta, beta), "ααββ", strict=True):
-        curve(ax, flight, angle, LineStyle(symbol))
-        name_axis(ax, symbol, "deg")
-    show_limits(axes[0], (0.0, stall), ("0", f"α_stall {stall:g}°"))
-    show_limits(axes[2], (-largest, largest), ("−β_max", f"β_max {largest:g}°"))
-    closer(axes[1], flight)
-    closer(axes[3], flight)
+        sheet.curve(ax, flight, angle, sheet.LineStyle(symbol))
+        sheet.name_axis(ax, symbol, "deg")
+    sheet.show_limits(axes[0], (0.0, stall), ("0", f"α_stall {stall:g}°"))
+    sheet.show_limits(axes[2], (-largest, largest), ("−β_max", f"β_max {largest:g}°"))
+    sheet.closer(axes[1], flight)
+    sheet.closer(axes[3], flight)
     return figure
 
 
@@ -94,20 +84,20 @@ def steering_figure(flight: Flight) -> Figure:
     names = rig_of(flight.parameters).lines
     lengths = flight.matrix([f"length_{name}_m" for name in names], "the steering").T
     ell, delta = ell_and_delta(flight)
-    figure, axes = time_sheet(flight, f"Steering: {flight.name}", 3, 6.5)
+    figure, axes = sheet.time_sheet(flight, f"Steering: {flight.name}", 3, 6.5)
     wish = _asked(flight)
     for ax, column, asked in zip(axes, (np.degrees(delta), ell), wish, strict=False):
         if asked is not None:
-            curve(ax, flight, asked, ASKED)
-        curve(ax, flight, column, FLOWN)
-    name_axis(axes[0], "δ", "deg")
-    name_axis(axes[1], "ℓ", "m")
+            sheet.curve(ax, flight, asked, ASKED)
+        sheet.curve(ax, flight, column, FLOWN)
+    sheet.name_axis(axes[0], "δ", "deg")
+    sheet.name_axis(axes[1], "ℓ", "m")
     if any(asked is not None for asked in wish):
-        legend(axes[0])
+        sheet.legend(axes[0])
     for column, style in zip(lengths, _line_styles(names), strict=True):
-        curve(axes[2], flight, column, style)
-    name_axis(axes[2], "length", "m")
-    legend(axes[2])
+        sheet.curve(axes[2], flight, column, style)
+    sheet.name_axis(axes[2], "length", "m")
+    sheet.legend(axes[2])
     for ax in axes:
         ax.ticklabel_format(axis="y", useOffset=False)
     return figure
@@ -128,9 +118,9 @@ def ell_and_delta(flight: Flight) -> tuple[Array, Array]:
     return ell, np.arcsin(sine)
 
 
-def _line_styles(names: Sequence[str]) -> list[LineStyle]:
+def _line_styles(names: Sequence[str]) -> list[sheet.LineStyle]:
     """A style for each line; those beyond the pilot's left and right are told by their names."""
-    return [PLUS, MINUS, *(LineStyle(name, "#3A7D44") for name in names[2:])]
+    return [sheet.PLUS, sheet.MINUS, *(sheet.LineStyle(name, "#3A7D44") for name in names[2:])]
 
 
 def _asked(flight: Flight) -> tuple[Array | None, Array | None]:

@@ -43,9 +43,11 @@ PLUS = LineStyle("left, A₊", LEFT)
 MINUS = LineStyle("right, A₋", RIGHT, (0, (5, 2)))
 LEFT_WING = LineStyle("left wing, A₊", LEFT, "-", 3.2)
 RIGHT_WING = LineStyle("right wing, A₋", RIGHT, "-", 1.4)
+ON_WHITE = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5}
+"""The box of a text over curves."""
 
 
-def sheet(title: str, height: float) -> Figure:
+def blank(title: str, height: float) -> Figure:
     """An empty figure of `height` [inches], with no screen behind it."""
     from kitemj.plots.inline_figure import InlineFigure
 
@@ -56,16 +58,16 @@ def sheet(title: str, height: float) -> Figure:
 
 def time_sheet(flight: Flight, title: str, rows: int, height: float) -> tuple[Figure, list[Axes]]:
     """Diagrams over the time of `flown`, one above the other; grey where it is beyond limits."""
-    figure = sheet(title, height)
+    figure = blank(title, height)
     axes: list[Axes] = list(figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0])
-    t = flight.t
     for ax in axes:
         plain(ax)
         _shade(ax, flight)
-    axes[0].set_xlim(t[0], t[-1] if t[-1] > t[0] else t[0] + 1.0)
+    start, end = flight.t[[0, -1]]
+    axes[0].set_xlim(start, end if end > start else start + 1.0)
     axes[-1].set_xlabel("time [s]", fontsize=TEXT_SIZE)
     figure.align_ylabels(axes)
-    name_greys(figure, flight)
+    _name_greys(figure, flight)
     return figure, axes
 
 
@@ -81,6 +83,11 @@ def name_axis(ax: Axes, quantity: str, unit: str) -> None:
     ax.set_ylabel(f"{quantity} [{unit}]", fontsize=TEXT_SIZE)
 
 
+def subtitle(ax: Axes, text: str) -> None:
+    """Writes above a diagram, at the left."""
+    ax.set_title(text, fontsize=SMALL, loc="left", pad=2)
+
+
 def curve(ax: Axes, flight: Flight, values: Array, style: LineStyle) -> None:
     """Draws `values` (rows,) over time; what follows a touch of the ground sets no scale."""
     from matplotlib.lines import Line2D
@@ -92,23 +99,8 @@ def curve(ax: Axes, flight: Flight, values: Array, style: LineStyle) -> None:
         ax.add_artist(Line2D(t[rest], values[rest], **style._replace(label="_")._asdict()))
 
 
-def limit_line(ax: Axes, value: float, label: str, below: bool = False) -> None:
-    """Draws a horizontal line that names itself, above or `below` it at the left."""
-    ax.axhline(value, color="black", linewidth=0.9, linestyle=(0, (8, 3)))
-    ax.annotate(
-        label,
-        (0.0, value),
-        (3, -2 if below else 2),
-        xycoords=("axes fraction", "data"),
-        textcoords="offset points",
-        fontsize=SMALL,
-        va="top" if below else "bottom",
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
-    )
-
-
 def show_limits(ax: Axes, limits: tuple[float, float], labels: tuple[str, str]) -> None:
-    """Draws both limits, hatched outside, and room for that; a curve far outside leaves it."""
+    """Draws both limits, named at the left and hatched outside; a curve far outside leaves."""
     low, high = limits
     span = high - low
     bottom, top = ax.dataLim.y0, ax.dataLim.y1
@@ -117,60 +109,49 @@ def show_limits(ax: Axes, limits: tuple[float, float], labels: tuple[str, str]) 
     ax.set_ylim(bottom, top)
     for start, end in ((bottom, low), (high, top)):
         ax.axhspan(start, end, facecolor="none", edgecolor="0.75", hatch="////", linewidth=0)
-    limit_line(ax, low, labels[0], below=True)
-    limit_line(ax, high, labels[1])
+    how: Any = {"xycoords": ("axes fraction", "data"), "textcoords": "offset points"}
+    for value, label, side, shift in ((low, labels[0], "top", -2), (high, labels[1], "bottom", 2)):
+        ax.axhline(value, color="black", linewidth=0.9, linestyle=(0, (8, 3)))
+        place, offset = (0.0, value), (3, shift)
+        ax.annotate(label, place, offset, va=side, fontsize=SMALL, bbox=ON_WHITE, **how)
 
 
 def closer(ax: Axes, flight: Flight) -> None:
     """Scales a diagram to its curves where they are within all limits, and says so."""
-    t, beyond = flight.t, flight.any_beyond
-    shown = [
-        np.asarray(line.get_ydata(), np.float64)[~beyond[: flight.down]]
-        for line in ax.get_lines()
-        if len(np.asarray(line.get_xdata())) == len(t[: flight.down])
-    ]
-    values = np.concatenate(shown)
+    within = ~flight.any_beyond[: flight.down]
+    curves = [np.asarray(line.get_ydata(), np.float64) for line in ax.get_lines()]
+    values = np.concatenate([each[within] for each in curves if len(each) == len(within)])
     if len(values) and np.ptp(values) > 0.0:
         low, high = float(np.nanmin(values)), float(np.nanmax(values))
         room = 0.05 * (high - low)
         ax.set_ylim(low - room, high + room)
-    ax.set_title("the same, closer", fontsize=SMALL, loc="left", pad=2)
+    subtitle(ax, "the same, closer")
 
 
-def legend(ax: Axes, columns: int = 4) -> None:
+def legend(ax: Axes) -> None:
     """Adds the legend of one diagram, above it, so that it hides nothing."""
-    ax.legend(
-        loc="lower right",
-        bbox_to_anchor=(1.0, 1.0),
-        ncols=columns,
-        frameon=False,
-        fontsize=SMALL,
-        borderaxespad=0.1,
-    )
+    place: Any = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0), "borderaxespad": 0.1}
+    ax.legend(ncols=4, frameon=False, fontsize=SMALL, **place)
 
 
-def name_greys(figure: Figure, flight: Flight) -> None:
+def _name_greys(figure: Figure, flight: Flight) -> None:
     """Writes under the figure what the greys mean, from when on and why."""
     from matplotlib.patches import Patch
 
-    departure = flight.departure
-    if departure:
-        greys = {
-            BEYOND: f"beyond the limits of validity; first at {departure}",
-            AFTER: "after that, not vouched for",
-        }
-        foot(figure, [Patch(fc=grey, ec="0.35", label=text) for grey, text in greys.items()])
+    if flight.departure:
+        beyond = f"beyond the limits of validity; first at {flight.departure}"
+        greys = ((BEYOND, beyond), (AFTER, "after that, not vouched for"))
+        foot(figure, [Patch(fc=grey, ec="0.35", label=text) for grey, text in greys])
 
 
 def parts_of_way(flight: Flight) -> list[tuple[slice, LineStyle]]:
     """The rows of a way within all limits, and those after; how each is drawn."""
     within, after = flight.parts
-    departure = flight.departure
-    ways = [(within, LineStyle("path of G"))]
-    if departure:
-        label = f"path after it was first beyond the limits of validity, at {departure}"
-        ways.append((after, LineStyle(label, "0.45", (0, (1.2, 1.2)))))
-    return ways
+    if not flight.departure:
+        return [(within, LineStyle("path of G"))]
+    label = f"path after it was first beyond the limits of validity, at {flight.departure}"
+    beyond = LineStyle(label, "0.45", (0, (1.2, 1.2)))
+    return [(within, LineStyle("path of G")), (after, beyond)]
 
 
 def foot(figure: Figure, handles: list[Any]) -> None:
@@ -180,27 +161,14 @@ def foot(figure: Figure, handles: list[Any]) -> None:
     figure.legend(handles=handles, loc="outside lower left", fontsize=SMALL, frameon=False)
 
 
-def runs(flags: np.ndarray[Any, np.dtype[np.bool_]]) -> list[slice]:
-    """Slices of the runs of rows where `flags` (rows,) are set."""
-    edges = np.flatnonzero(np.diff(flags, prepend=False, append=False)).tolist()
-    return [slice(a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-
-
 def _shade(ax: Axes, flight: Flight) -> None:
+    """Greys the time after the first departure, darker while the flight is beyond a limit."""
     departure, t = flight.departure, flight.t
     if departure is None:
         return
     ax.axvspan(departure.t, float(t[-1]), color=AFTER, linewidth=0, zorder=0.3)
-    last = len(t) - 1
-    spans = [
-        (t[run.start], t[min(run.stop, last)] - t[run.start]) for run in runs(flight.any_beyond)
-    ]
-    ax.broken_barh(
-        spans,
-        (0.0, 1.0),
-        transform=ax.get_xaxis_transform(),
-        facecolor=BEYOND,
-        edgecolor=BEYOND,
-        linewidth=0.5,
-        zorder=0.4,
-    )
+    edges = np.flatnonzero(np.diff(flight.any_beyond, prepend=False, append=False))
+    starts, ends = t[edges[::2]], t[np.minimum(edges[1::2], len(t) - 1)]
+    spans = np.column_stack([starts, ends - starts]).tolist()
+    dark: Any = {"facecolor": BEYOND, "edgecolor": BEYOND, "linewidth": 0.5, "zorder": 0.4}
+    ax.broken_barh(spans, (0.0, 1.0), transform=ax.get_xaxis_transform(), **dark)

@@ -5,6 +5,7 @@ from math import ceil
 from pathlib import Path
 
 import numpy as np
+import pyarrow as pa
 
 from kitemj.data_files import SCENARIOS, shipped_or_file
 from kitemj.errors import InputError
@@ -14,11 +15,11 @@ from kitemj.flight.simulate import simulate
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.plots.flight import Flight, flight_of_recording, flight_of_simulation
 from kitemj.plots.identify_kite import DEFAULT, kite_of_table
-from kitemj.plots.table_files import TABLES, episodes_of, read_columns
 from kitemj.recording.file import read_recording
 from kitemj.recording.recorder import SUFFIX
+from kitemj.recording.table import Columns
 
-SCENARIO = ".toml"
+SCENARIO, TABLES = ".toml", (".csv", ".parquet")
 KINDS = f"a recording (*{SUFFIX}), a scenario (*{SCENARIO}) or a table (*.csv, *.parquet)"
 ROWS = 1000
 """Of a scenario, at least: so many that the straight lines between them do not show."""
@@ -41,9 +42,8 @@ def read_flight(path: str | Path, model: str = "", episode: int = 0, kite: str =
     if model and kind != SCENARIO:
         raise InputError(f"`model` is for a scenario; what {path.name} holds is flown already")
     if episode and kind == SCENARIO:
-        raise InputError(
-            f"`episode` is for a recording; {path.name} is a scenario, which is one flight"
-        )
+        what = f"{path.name} is a scenario, which is one flight"
+        raise InputError(f"`episode` is for a recording; {what}")
     if kite and kind not in TABLES:
         raise InputError(f"`kite` is for a table; {path.name} says itself which kite flew")
     if kind == SCENARIO:
@@ -64,14 +64,14 @@ def _simulated(scenario: Scenario, model: str) -> Flight:
 
 def _recorded(path: Path, episode: int) -> Flight:
     recording = read_recording(path)
-    chosen, notes = _episode(path, recording.episodes, episode)
+    chosen, notes = _chosen(path, recording.episodes, episode)
     return replace(flight_of_recording(recording, chosen), notes=tuple(notes))
 
 
 def _tabled(path: Path, episode: int, kite: str) -> Flight:
-    columns = read_columns(path)
-    episodes = episodes_of(columns)
-    chosen, notes = _episode(path, episodes, episode)
+    columns = _columns(path)
+    episodes = _episodes_in(columns)
+    chosen, notes = _chosen(path, episodes, episode)
     rows = {name: column[episodes[chosen]] for name, column in columns.items()}
     table = Flight(path.name, parameter_set(DEFAULT), rows)
     if np.any(np.diff(table.t) <= 0.0):
@@ -83,13 +83,36 @@ def _tabled(path: Path, episode: int, kite: str) -> Flight:
     return Flight(f"{path.name}, {Path(name).name}{number}", parameters, rows, tuple(notes))
 
 
-def _episode(path: Path, episodes: list[slice], asked: int) -> tuple[int, list[str]]:
+def _columns(path: Path) -> Columns:
+    """Every column by its name, shape (rows,); InputError where the file holds no table."""
+    from pyarrow import csv, parquet
+
+    read = csv.read_csv if path.suffix.lower() == ".csv" else parquet.read_table
+    try:
+        table = read(path)
+    except (pa.ArrowException, OSError) as error:
+        reason = str(error).splitlines()[0]
+        raise InputError(f"{path} is not a table that can be read: {reason}") from None
+    if not table.num_rows:
+        raise InputError(f"{path} holds no row")
+    return {name: table[name].to_numpy() for name in table.column_names}
+
+
+def _episodes_in(columns: Columns) -> list[slice]:
+    """The rows of each flight: one, unless a column `leg` tells several apart."""
+    rows = len(next(iter(columns.values())))
+    if "leg" not in columns:
+        return [slice(0, rows)]
+    cuts = (np.flatnonzero(np.diff(columns["leg"])) + 1).tolist()
+    return [slice(a, b) for a, b in zip([0, *cuts], [*cuts, rows], strict=True)]
+
+
+def _chosen(path: Path, episodes: list[slice], asked: int) -> tuple[int, list[str]]:
     """The number of the flight (from 0), and what is to be said of the choice."""
     if not 0 <= asked <= len(episodes):
         raise InputError(f"`episode` must be 1 to {len(episodes)} for {path.name}, got {asked}")
     if asked or len(episodes) == 1:
         return max(0, asked - 1), []
     longest = max(range(len(episodes)), key=lambda i: episodes[i].stop - episodes[i].start)
-    return longest, [
-        f"{path.name} holds {len(episodes)} flights; drawn is the longest, flight {longest + 1}"
-    ]
+    drawn = f"drawn is the longest, flight {longest + 1}"
+    return longest, [f"{path.name} holds {len(episodes)} flights; {drawn}"]

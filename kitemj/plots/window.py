@@ -3,23 +3,13 @@
 from __future__ import annotations
 
 from math import ceil, cos, floor, log10, sin
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kitemj.plots import sheet
 from kitemj.plots.flight import Array, Flight
 from kitemj.plots.path import POSITION, attitude
-from kitemj.plots.sheet import (
-    LEFT_WING,
-    RIGHT_WING,
-    SMALL,
-    TEXT_SIZE,
-    foot,
-    name_axis,
-    parts_of_way,
-    plain,
-    sheet,
-)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,16 +29,14 @@ def window_figure(flight: Flight) -> Figure:
     """
     p = flight.matrix(POSITION, "the wind window")
     seen = bearing(flight, p)
-    figure = sheet(f"Wind window, as the pilot sees it: {flight.name}", 8.5)
+    figure = sheet.blank(f"Wind window, as the pilot sees it: {flight.name}", 8.5)
     whole, close = figure.subplots(2, 1, height_ratios=(2, 3))
     for ax in (whole, close):
-        plain(ax)
-        drawn = [
-            ax.plot(*_unbroken(seen[rows]).T, **style._asdict())[0]
-            for rows, style in parts_of_way(flight)
-        ]
-        ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=TEXT_SIZE)
-        name_axis(ax, "elevation", "deg")
+        sheet.plain(ax)
+        ways = [(_unbroken(seen[rows]), style) for rows, style in sheet.parts_of_way(flight)]
+        drawn = [ax.plot(*way.T, **style._asdict())[0] for way, style in ways]
+        ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=sheet.TEXT_SIZE)
+        sheet.name_axis(ax, "elevation", "deg")
     whole.set(xlim=(-90, 90), ylim=(min(0.0, float(np.nanmin(seen[:, 1]))), 90), aspect="equal")
     whole.set_xticks(range(-90, 91, 30))
     whole.set_yticks(range(0, 91, 30))
@@ -57,10 +45,8 @@ def window_figure(flight: Flight) -> Figure:
     wings = [wing for row in rows for wing in _mark(close, flight, p, row, half)]
     close.set_aspect("equal", adjustable="datalim")
     close.margins(0.1)
-    close.set_title(
-        "the same, closer; the kite enlarged at round times", fontsize=SMALL, loc="left", pad=2
-    )
-    foot(figure, drawn + wings[:2])
+    sheet.subtitle(close, "the same, closer; the kite enlarged at round times")
+    sheet.foot(figure, drawn + wings[:2])
     return figure
 
 
@@ -96,7 +82,7 @@ def _apart(rows: list[int], seen: Array, least: float) -> list[int]:
     """Those of `rows` that are at least so far [deg] from all before them."""
     kept: list[int] = []
     for row in rows:
-        if all(np.linalg.norm(seen[row] - seen[other]) >= least for other in kept):
+        if (np.linalg.norm(seen[kept] - seen[row], axis=1) >= least).all():
             kept.append(row)
     return kept
 
@@ -106,17 +92,11 @@ def _mark(ax: Axes, flight: Flight, p_E: Array, row: int, half: float) -> list[L
     G, y_B = p_E[row], attitude(flight, row)[1]
     reach = float(np.radians(half) * np.linalg.norm(G))
     wings = []
-    for side, style in ((1.0, LEFT_WING), (-1.0, RIGHT_WING)):
+    for side, style in ((1.0, sheet.LEFT_WING), (-1.0, sheet.RIGHT_WING)):
         wing = bearing(flight, np.array([G, G + side * reach * y_B]))
         wings += ax.plot(*wing.T, **style._asdict())
-    place = bearing(flight, G[None])[0]
+    place = wing[0]
     ax.plot(*place, "o", color="black", markersize=3.5)
-    ax.annotate(
-        f"{flight.t[row]:.4g} s",
-        place,
-        (5, 5),
-        textcoords="offset points",
-        fontsize=SMALL,
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 0.5},
-    )
+    how: Any = {"textcoords": "offset points", "fontsize": sheet.SMALL, "bbox": sheet.ON_WHITE}
+    ax.annotate(f"{flight.t[row]:.4g} s", place, (5, 5), **how)
     return wings

@@ -21,9 +21,8 @@ def launch() -> Launched:
     context = get_context("spawn")
     link, theirs = context.Pipe()
     told = context.Queue()
-    process = context.Process(
-        target=_run, args=(theirs, told, own_modules()), name="physics", daemon=True
-    )
+    given = (theirs, told, own_modules())
+    process = context.Process(target=_run, args=given, name="physics", daemon=True)
     process.start()
     theirs.close()
     return Launched(process, link, told)

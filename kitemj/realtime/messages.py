@@ -64,15 +64,9 @@ class Timekeeping(NamedTuple):
 
     def noted(self, lateness: float, allowed: float, gap: float, lost: float) -> "Timekeeping":
         """With one more tick, done `lateness` [s] after it was due, `gap` [m], `lost` [s]."""
-        return Timekeeping(
-            self.ticks + 1,
-            self.missed + (lateness > allowed),
-            self.late + (lateness > FRAME),
-            lateness,
-            max(self.worst, lateness),
-            max(self.largest_gap, gap),
-            self.lost + lost,
-        )
+        missed, late = self.missed + (lateness > allowed), self.late + (lateness > FRAME)
+        largest = max(self.worst, lateness), max(self.largest_gap, gap)
+        return Timekeeping(self.ticks + 1, missed, late, lateness, *largest, self.lost + lost)
 
 
 class Ready(NamedTuple):

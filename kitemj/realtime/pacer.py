@@ -120,8 +120,7 @@ class Pacer:
         self._report(command)
 
     def _report(self, command: Command) -> None:
-        flight = self._flight
-        touch = self._ground.watch(flight.result.motion)
+        flight, touch = self._flight, self._ground.watch(self._flight.result.motion)
         now = command, flight.result, flight.lateness, self._times, touch, flight.problem
         self._tell(TickNews(self._begun, time.perf_counter(), *now, peak_memory()))
 

@@ -17,9 +17,7 @@ from kitemj.realtime.messages import (
     Deed,
     End,
     News,
-    Rate,
     Ready,
-    StartAt,
     Stop,
     TickNews,
     Timekeeping,
@@ -35,8 +33,8 @@ class FlightProcess:
     """The flight of `setup`; launched at once, so that it loads meanwhile.
 
     `update` brings `result`, `times`, `touch`, `problem` and `memory` up to date (they are as in
-    `TickNews`); `rate`, `command` and `start_at` may be set at any moment. What is raised there
-    is raised here: InputError, FlightError.
+    `TickNews`); `command` is the last that was asked for. What is raised there is raised here:
+    InputError, FlightError.
     """
 
     def __init__(self, setup: FlightSetup, launched: Launched | None = None) -> None:
@@ -47,7 +45,7 @@ class FlightProcess:
         self.problem, self.memory = "", 0.0
         self.result: TickResult
         self._recording, self._ready, self._ended = "none", False, False
-        self._rate, self._command, self._start_at = 1.0, Command(), setup.start
+        self.command, self._asked = Command(), dict[type, Wish]()
         self._heard: list[TickNews] = []
         self._t = 0.0  # s of flight that is known of
         self._process, self._link, self._told = launched or launch()
@@ -63,7 +61,7 @@ class FlightProcess:
 
     def start(self) -> None:
         """Time begins."""
-        self._send(Begin())
+        self.ask(Begin())
 
     def update(self) -> list[TickNews]:
         """All ticks since the last call, the newest of which is now."""
@@ -72,42 +70,13 @@ class FlightProcess:
         heard, self._heard = self._heard, []
         return heard
 
-    @property
-    def rate(self) -> float:
-        """Simulated over wall time: 1 is real time, 0 a pause."""
-        return self._rate
-
-    @rate.setter
-    def rate(self, rate: float) -> None:
-        if rate != self._rate:
-            self._rate = rate
-            self._send(Rate(rate))
-
-    @property
-    def start_at(self) -> int:
-        """Which of the flight's starts the next restart goes to."""
-        return self._start_at
-
-    @start_at.setter
-    def start_at(self, start: int) -> None:
-        if start != self._start_at:
-            self._start_at = start
-            self._send(StartAt(start))
-
-    @property
-    def command(self) -> Command:
-        """What was asked for last."""
-        return self._command
-
-    @command.setter
-    def command(self, command: Command) -> None:
-        if command != self._command:
-            self._command = command
-            self._send(command)
-
-    def ask(self, deed: Deed) -> None:
-        """Has it done before the next tick."""
-        self._send(deed)
+    def ask(self, wish: Wish) -> None:
+        """Has it done before the next tick; what holds already is not sent again."""
+        if isinstance(wish, Command):
+            self.command = wish
+        if isinstance(wish, Deed) or wish != self._asked.get(type(wish)):
+            self._asked[type(wish)] = wish
+            self._send(wish)
 
     def stop(self, ending: str) -> str:
         """Ends the flight; returns what became of the recording."""
@@ -130,9 +99,8 @@ class FlightProcess:
         except queue.Empty:
             if self._ended or self._process.is_alive() or not self._told.empty():
                 return None
-            raise FlightError(
-                self.model, self._t, "its process was ended from outside", []
-            ) from None
+            why = "its process was ended from outside"
+            raise FlightError(self.model, self._t, why, []) from None
         return news
 
     def _hear(self, news: News | None) -> None:

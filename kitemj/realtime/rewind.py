@@ -17,7 +17,7 @@ class RewindHistory:
 
     def __init__(self) -> None:
         self._past: deque[Saved] = deque(maxlen=round(60 * MINUTES / EVERY))
-        self._marked: tuple[Saved, list[Saved]] | None = None
+        self._marked: tuple[Saved, deque[Saved]] | None = None
 
     def see(self, flight: SteeredFlight) -> None:
         """Keeps the moment if it is time to."""
@@ -26,15 +26,14 @@ class RewindHistory:
 
     def mark(self, flight: SteeredFlight) -> None:
         """Keeps the present moment, with the past that led there, until another is marked."""
-        self._marked = flight.save(), list(self._past)
+        self._marked = flight.save(), self._past.copy()
 
     def recall(self) -> Saved | None:
         """The marked moment; its past is the past again."""
         if self._marked is None:
             return None
         kept, past = self._marked
-        self._past.clear()
-        self._past.extend(past)
+        self._past = past.copy()
         return kept
 
     def back(self, flight: SteeredFlight) -> Saved | None:

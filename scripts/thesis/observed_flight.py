@@ -14,7 +14,7 @@ from kitemj.drawing.history import History
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.flight.live import TICK, Command
 from kitemj.flight.scenario import Scenario
-from kitemj.realtime.messages import Deed, TickNews
+from kitemj.realtime.messages import Deed, Rate, TickNews
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.live import FlightSetup
 
@@ -68,7 +68,7 @@ class StickMover(Thread):
         """Until `stop`."""
         begun, side = time.perf_counter(), 1.0
         while not self._over.is_set():
-            self._physics.command = Command(side)
+            self._physics.ask(Command(side))
             self.moves, side = self.moves + 1, -side
             due = begun + self.moves * self._interval
             self._over.wait(max(0.0, due - time.perf_counter()))
@@ -86,7 +86,7 @@ def flight_process(scenario: Scenario) -> "Iterator[InstrumentedProcess]":
     try:
         physics.wait()
         physics.start()
-        physics.rate = 0.0
+        physics.ask(Rate(0.0))
         yield physics
     finally:
         physics.stop("watched")
@@ -131,7 +131,7 @@ def observe(
     finally:
         if mover:
             mover.stop()
-        physics.rate = 0.0
+        physics.ask(Rate(0.0))
     return ObservedFlight(flown[:ticks], frames, physics.times.lost - lost)
 
 
@@ -139,17 +139,17 @@ def _restart(physics: InstrumentedProcess) -> None:
     """Returns when the flight stands at its start, and time runs."""
     time.sleep(5 * TICK)  # a pause that was asked for takes a tick to come
     physics.update()
-    physics.command = Command()
+    physics.ask(Command())
     physics.ask(Deed.RESTART)
     while not any(news.result.motion.t == 0.0 for news in physics.update()):
         time.sleep(TICK)
-    physics.rate = 1.0
+    physics.ask(Rate(1.0))
 
 
 def _paint(physics: InstrumentedProcess, picture: "Picture", stick: "Stick | None") -> None:
     result = physics.result
     if stick:
-        physics.command = stick.command(result.motion)
+        physics.ask(stick.command(result.motion))
     picture.paint(result.motion, result.reference, readings_of(physics))
 
 

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from kitemj.controls.actions import INSTRUMENTS, PANELS
 from kitemj.drawing.alarms import HELD, alarm_at
+from kitemj.drawing.colours import ALARM, CALL, INK, LEFT, RIGHT
 from kitemj.drawing.gl import NoGraphics
 from kitemj.drawing.history import CHART_COLUMNS, CHART_SPAN, TRAIL_POINTS, History, twist_angle
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.knob import HUB, OUTER, paint_knob
-from kitemj.drawing.panel import ALARM, CALL, INK, LEFT, RIGHT, Panel
+from kitemj.drawing.panel import Panel
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.smooth import smooth_lines

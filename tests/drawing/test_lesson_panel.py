@@ -5,6 +5,7 @@ import pytest
 
 from kitemj.controls.actions import PANELS
 from kitemj.drawing.alarms import Alarm, paint_banner
+from kitemj.drawing.colours import CALL, GOOD, LEFT, RIGHT
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.lesson_panel import (
     FLY_AGAIN,
@@ -14,7 +15,6 @@ from kitemj.drawing.lesson_panel import (
     paint_lesson,
     paint_touch,
 )
-from kitemj.drawing.panel import CALL, GOOD, LEFT, RIGHT
 from kitemj.drawing.picture import INSET
 from kitemj.flight.limits import GROUND, Departure
 from kitemj.physics.parameter_files import parameter_set

@@ -171,7 +171,7 @@ def test_figures_are_drawn_and_saved(case: tuple[Parameters, Cycle], tmp_path: P
     from kitemj.equilibria import plots
     from kitemj.equilibria.maps import stability_map
     from kitemj.equilibria.trim import equilibria
-    from kitemj.plots.figure_files import save_figures
+    from kitemj.plots.figure_output import save_figures
 
     parameters, found = case
     area = stability_map(parameters, ("aero.Cl_beta", -0.6, 0.2), ("wind.speed", 2.0, 9.0), 8)

@@ -10,8 +10,8 @@ from matplotlib import pyplot
 
 from kitemj.cli import main
 from kitemj.flight.motion_table import write_csv
+from kitemj.plots.figure_output import show
 from kitemj.plots.figures import FIGURES
-from kitemj.plots.windows import show
 from tests.plots.flights import TOML, simulation
 
 

@@ -12,7 +12,7 @@ import pytest
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.live import Command
 from kitemj.flight.scenario import scenario_of
-from kitemj.realtime.messages import Deed
+from kitemj.realtime.messages import Deed, Rate
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
 from kitemj.recording.live import FlightSetup
@@ -47,7 +47,7 @@ def flying():
 
 
 def test_each_tick_is_told_once_and_flies_what_was_asked_for(flying):
-    flying.command = Command(0.5)
+    flying.ask(Command(0.5))
     asked = time.perf_counter()
     heard = until(lambda news: len(news) > 50, flying)
     ticks = [round(100 * news.result.motion.t) for news in heard]
@@ -61,7 +61,7 @@ def test_each_tick_is_told_once_and_flies_what_was_asked_for(flying):
 
 def test_pause_step_save_rewind_and_restart(flying):
     until(lambda news: len(news) > 30, flying)
-    flying.rate = 0.0
+    flying.ask(Rate(0.0))
     flying.ask(Deed.SAVE)
     time.sleep(0.1)
     flying.update()
@@ -79,7 +79,7 @@ def test_recording_is_that_of_the_flight(tmp_path):
     physics = FlightProcess(setup(tmp_path / "x.arrows"))
     physics.wait()
     physics.start()
-    physics.command = Command(0.3, 0.1)
+    physics.ask(Command(0.3, 0.1))
     heard = until(lambda news: len(news) > 60, physics)
     said = physics.stop("left by the pilot")
     recording = read_recording(tmp_path / "x.arrows")

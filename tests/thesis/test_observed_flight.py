@@ -79,8 +79,8 @@ def test_the_hand_goes_from_side_to_side():
     class Still:
         sides: ClassVar[list[float]] = []
 
-        def __setattr__(self, name, value):
-            self.sides.append(value.delta)
+        def ask(self, command):
+            self.sides.append(command.delta)
             if len(self.sides) == 6:
                 mover._over.set()
 

@@ -1,11 +1,11 @@
-"""Files of figures: one for each, or all as pages of one PDF; all are written or none."""
+"""Where figures go: to files (one each, or pages of a PDF; all are written or none) or windows."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kitemj.errors import InputError
 from kitemj.files import check_new, new_file
@@ -41,16 +41,34 @@ def save_figures(figures: Mapping[str, Figure], path: Path, overwrite: bool = Fa
     with ExitStack() as stack:
         parts = [stack.enter_context(new_file(each, overwrite)) for each in paths]
         if kind == "pdf":
-            _save_pages(list(figures.values()), parts[0])
+            from matplotlib.backends.backend_pdf import PdfPages
+
+            pages = stack.enter_context(PdfPages(parts[0]))
+            for figure in figures.values():
+                pages.savefig(figure)
         else:
             for figure, part in zip(figures.values(), parts, strict=True):
                 figure.savefig(part, format=kind, dpi=SHARPNESS)
     return paths
 
 
-def _save_pages(figures: Sequence[Figure], path: Path) -> None:
-    from matplotlib.backends.backend_pdf import PdfPages
+def check_windows() -> None:
+    """Raises InputError where matplotlib can open no window."""
+    from matplotlib import pyplot
+    from matplotlib.backends.registry import BackendFilter, backend_registry
 
-    with PdfPages(path) as pages:
-        for figure in figures:
-            pages.savefig(figure)
+    registry: Any = backend_registry
+    if pyplot.get_backend().lower() not in registry.list_builtin(BackendFilter.INTERACTIVE):
+        raise InputError(
+            "there is no display to show figures on (or no toolkit to open a window with, such as "
+            "tkinter or PySide6): give `save` a name such as flight.png"
+        )
+
+
+def show(figures: Mapping[str, Figure]) -> None:
+    """Shows a window for each figure; returns when all are closed."""
+    from matplotlib import pyplot
+
+    for figure in figures.values():
+        pyplot.figure(figure)
+    pyplot.show()
