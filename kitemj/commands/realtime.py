@@ -5,7 +5,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import Parser, add_picture, add_step, command, size
+from kitemj.commands.arguments import Parser, add_picture, add_step, size
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -18,25 +18,21 @@ if TYPE_CHECKING:
 STICK_DURATION = 20.0
 """s; some 35 moves of the stick."""
 
+HELP = "measure missed ticks, frames, memory, and how soon a move of the stick is flown and seen"
+EXAMPLE = "kitemj realtime --duration 600"
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "realtime",
-        "measure missed ticks, frames, memory, and how soon a move of the stick is flown and seen",
-        "kitemj realtime --duration 600",
-    )
+
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     parser.add_argument("--kite", default="sport", metavar="SET", help="sport, thesis or laksa")
     parser.add_argument("--duration", type=float, default=60.0, metavar="S", help="of the flight")
     parser.add_argument("--headless", action="store_true", help="paint, but open no window")
     add_picture(parser)
     add_step(parser)
-    parser.set_defaults(run=run)
 
 
-def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Flies, and prints what was measured."""
     from kitemj.realtime.launch import launch
 
     launched = launch()
@@ -67,7 +63,6 @@ def run(args: argparse.Namespace) -> int:
     where = "in a window" if window else "painted, and shown to nobody"
     print_table(_flight_table(flown, timed, f"{args.size}, {where}, everything shown, recorded"))
     print_table(_stick_table(steps))
-    return 0
 
 
 def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
