@@ -1,6 +1,5 @@
 """A film file, written beside its name and given its name when it is complete."""
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -81,13 +80,13 @@ class Film(Closing):
         if not self._open:
             return
         self._open = False
-        if self.frames == 0:
-            self._container.close()
-            self._part.unlink(missing_ok=True)
-            return
-        self._container.mux(self._stream.encode(None))
+        if self.frames:
+            self._container.mux(self._stream.encode(None))
         self._container.close()
-        os.replace(self._part, self.path)  # noqa: PTH105  the one call that is atomic everywhere
+        if self.frames:
+            self._part.replace(self.path)
+        else:
+            self._part.unlink(missing_ok=True)
 
 
 def check_film(path: Path, width: int, height: int, rate: int) -> None:

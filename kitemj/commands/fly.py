@@ -67,7 +67,7 @@ def run(args: argparse.Namespace) -> None:
     launched = launch()
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.screens import FilmScreen, Screen, display_found
-    from kitemj.controls.demonstration import show_of
+    from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
     from kitemj.pilots.progress import write_progress
     from kitemj.realtime.process import FlightProcess

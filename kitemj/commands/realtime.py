@@ -38,7 +38,7 @@ def run(args: argparse.Namespace) -> None:
     launched = launch()
     from kitemj.cockpit.measuring import stick_steps, timed_flight
     from kitemj.cockpit.screens import display_found
-    from kitemj.controls.demonstration import show_of
+    from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
     from kitemj.flight.scenario import scenario_of
     from kitemj.realtime.process import FlightProcess
@@ -66,12 +66,12 @@ def run(args: argparse.Namespace) -> None:
 
 
 def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
-    from kitemj.cockpit.measuring import NoScreen
     from kitemj.cockpit.screens import Screen, Window
     from kitemj.controls.settings import Settings
-    from kitemj.controls.stick import PersonStick
+    from kitemj.controls.stick import PersonStick, PilotStick
+    from kitemj.pilots.manoeuvres import Hold
 
-    screen: Screen = NoScreen()
+    screen = Screen(PilotStick(Hold()))
     if window:
         person = PersonStick(Settings(), parameters)
         screen = Window(*size(args.size), "kitemj realtime", person)

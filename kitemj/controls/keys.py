@@ -4,13 +4,8 @@ import pygame
 
 from kitemj.controls.actions import INSTRUMENTS
 
-TOGGLES = dict(
-    zip(
-        (*(pygame.K_1 + i for i in range(9)), pygame.K_0, pygame.K_l),
-        (f"toggle {name}" for name in INSTRUMENTS),
-        strict=True,
-    )
-)
+DIGITS_AND_L = (*range(pygame.K_1, pygame.K_9 + 1), pygame.K_0, pygame.K_l)
+TOGGLES = {key: f"toggle {name}" for key, name in zip(DIGITS_AND_L, INSTRUMENTS, strict=True)}
 """Keys that show or hide one instrument, in their order on the screen."""
 
 KEYS = {

@@ -131,18 +131,22 @@ class Layout(NamedTuple):
 WAYS = ("steer", "reel", "left_line", "right_line")
 
 
+def table_of(value: Any, key: str, where: str) -> Mapping[str, Any]:
+    """The value, which must be a table; else InputError, with `key` and `where`."""
+    if not isinstance(value, Mapping):
+        raise InputError(f"{key} must be a table, got {value!r} ({where})")
+    return value
+
+
 def layout_of(table: Any, section: str, where: str) -> Layout:
     """The layout of a table ``[pads.GUID]``; InputError where it is none."""
-    if not isinstance(table, Mapping):
-        raise InputError(f"{section} must be a table, got {table!r} ({where})")
-    for key in table:
+    for key in table_of(table, section, where):
         if key not in Layout._fields:
             raise unknown_key(key, list(Layout._fields), section, where)
-    name, buttons = table.get("name", "pad"), table.get("buttons", {})
+    name = table.get("name", "pad")
     if not isinstance(name, str):
         raise InputError(f"{section}.name must be a text, got {name!r} ({where})")
-    if not isinstance(buttons, Mapping):
-        raise InputError(f"{section}.buttons must be a table, got {buttons!r} ({where})")
+    buttons = table_of(table.get("buttons", {}), f"{section}.buttons", where)
     for action in buttons:
         if action not in NAMES:
             raise unknown_key(action, sorted(NAMES), f"{section}.buttons", where)

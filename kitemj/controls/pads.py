@@ -84,9 +84,8 @@ class StandardPad:
 
     def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
         """The actions of `STANDARD`."""
-        if event.type != pygame.CONTROLLERBUTTONDOWN or event.button not in STANDARD:
-            return ()
-        return (STANDARD[event.button],)
+        known = event.type == pygame.CONTROLLERBUTTONDOWN and event.button in STANDARD
+        return (STANDARD[event.button],) if known else ()
 
     def _axis(self, axis: int) -> float:
         return max(-1.0, float(self._pad.get_axis(axis)) / FULL)
@@ -108,8 +107,7 @@ class LaidOutPad:
         """The actions of the layout, each when its source goes down."""
         asked = []
         for name, source in self._layout.buttons.items():
-            value = source.value_in(event)
-            if value is None:
+            if (value := source.value_in(event)) is None:
                 continue
             if value <= PRESSED:
                 self._down.discard(name)
@@ -150,10 +148,9 @@ class Pads:
         if pad is None:
             return REST
         ways = (shaped_deflection(way, feel.dead_zone, feel.expo) for way in pad.hands())
-        hands = Deflections(*ways)
-        return hands._replace(
-            steer=-hands.steer if invert.steer else hands.steer,
-            reel=-hands.reel if invert.reel else hands.reel,
+        steer, reel, left, right = ways
+        return Deflections(
+            -steer if invert.steer else steer, -reel if invert.reel else reel, left, right
         )
 
     def handle(self, event: pygame.event.Event) -> tuple[str, ...]:
@@ -209,18 +206,14 @@ class Pads:
         same = sum(other.name.startswith(pad.name) for other in self._pads.values())
         if same:
             pad.name += f" ({same + 1})"
-        if self._pads:
-            self._say(f"another pad, {pad.name}: the one moved last steers")
-        else:
-            self._say(f"the pad {pad.name} steers")
+        others = f"another pad, {pad.name}: the one moved last steers"
+        self._say(others if self._pads else f"the pad {pad.name} steers")
         self._pads = {pad.instance: pad, **self._pads}
 
     def _remove(self, instance: int) -> None:
-        gone = self._pads.pop(instance, None)
         self._known.discard(instance)
         self._away.discard(instance)
-        if gone is None:
-            return  # it never steered
-        other = self.steering
-        after = f"the pad {other.name} steers" if other else CENTRED
-        self._say(f"the pad {gone.name} is gone: {after}")
+        if gone := self._pads.pop(instance, None):  # else it never steered
+            other = self.steering
+            after = f"the pad {other.name} steers" if other else CENTRED
+            self._say(f"the pad {gone.name} is gone: {after}")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kitemj.controls.actions import NAMES
-from kitemj.controls.settings import LAWS
+from kitemj.controls.settings import law_of
 from kitemj.controls.stick_mapping import Deflections, command_of
 from kitemj.data_files import STICKS, shipped_or_file
 from kitemj.dynamics.motion import Motion
@@ -107,9 +107,8 @@ def _cells(path: Path) -> Iterator[tuple[str, dict[str, str]]]:
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(
-            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-        ) from None
+        why = getattr(error, "strerror", None) or error
+        raise InputError(f"cannot read {path}: {why}") from None
     columns: list[str] = []
     for number, line in enumerate(lines, 1):
         if not line.strip() or line.lstrip().startswith("#"):
@@ -118,12 +117,11 @@ def _cells(path: Path) -> Iterator[tuple[str, dict[str, str]]]:
         if not columns:
             columns = cells
             continue
-        if len(cells) != len(columns):
-            raise InputError(
-                f"{len(cells)} cells where the first line names {len(columns)} columns "
-                f"({path}, line {number})"
-            )
-        yield f"{path}, line {number}", dict(zip(columns, cells, strict=True))
+        where, known = f"{path}, line {number}", len(columns)
+        if len(cells) != known:
+            said = f"{len(cells)} cells where the first line names {known} columns"
+            raise InputError(f"{said} ({where})")
+        yield where, dict(zip(columns, cells, strict=True))
 
 
 def _row(texts: dict[str, str], above: Row, where: str) -> Row:
@@ -136,9 +134,7 @@ def _row(texts: dict[str, str], above: Row, where: str) -> Row:
         if column == "buttons":
             cells[column] = _buttons(text, where)
         elif column == "law":
-            if text not in LAWS:
-                raise InputError(f"law must be one of {', '.join(LAWS)}, got {text!r} ({where})")
-            cells[column] = LAWS[text]
+            cells[column] = law_of(text, where)
         else:
             cells[column] = _number(column, text, where)
     return above._replace(**cells)
