@@ -44,10 +44,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> Parser:
-    parser = Parser(
-        prog="kitemj",
-        description="A two-line kite in MuJoCo, flown in real time beside a reference.",
-    )
+    says = "A two-line kite in MuJoCo, flown in real time beside a reference."
+    parser = Parser(prog="kitemj", description=says)
     parser.add_argument("--version", action="version", version=f"kitemj {version('kitemj')}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
     for name in COMMANDS:

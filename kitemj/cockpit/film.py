@@ -31,9 +31,8 @@ class Film(Closing):
     ) -> None:
         """Opens ``<path>.part``; nothing is at `path` before `close`.
 
-        Raises InputError, with one sentence, where there is a file and `overwrite` is False,
-        for a place that cannot be written, a kind of film that is not known, and for a size
-        or rate that it cannot have.
+        Raises InputError where there is a file and `overwrite` is False, for a place that
+        cannot be written, and for a kind, a size or a rate that no film can have.
         """
         self.path, self.width, self.height, self.frames = Path(path), width, height, 0
         check_film(self.path, width, height, rate)

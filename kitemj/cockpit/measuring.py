@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kitemj.cockpit.fly import Summary, fly
+from kitemj.cockpit.fly import fly
 from kitemj.cockpit.screens import Frame, Screen
 from kitemj.controls.stick import Stick
 from kitemj.drawing.instruments import Instruments
@@ -75,27 +75,6 @@ class TimedScreen(Screen):
         """MB of memory gained since `SETTLED`; not a number in a shorter flight."""
         settled = [memory for wall, memory in self.memory if wall >= SETTLED]
         return settled[-1] - settled[0] if settled else float("nan")
-
-
-def timed_flight(
-    physics: FlightProcess,
-    picture: Picture,
-    screen: Screen,
-    stick: Stick,
-    duration: float,
-    called: float | None = None,
-) -> tuple[Summary, TimedScreen]:
-    """A flight measured: what `fly` tells of it, and the times of its frames.
-
-    physics: the flight in real time, not yet started
-    picture: paints the frames
-    screen: shows them
-    stick: steers
-    duration: s of wall time
-    called: s by perf_counter, since when the first frame is waited for; None: now
-    """
-    timed = TimedScreen(screen, stick, physics)
-    return fly(physics, picture, timed, duration, called), timed
 
 
 @dataclass

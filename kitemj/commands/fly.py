@@ -69,6 +69,7 @@ def run(args: argparse.Namespace) -> None:
     from kitemj.cockpit.screens import FilmScreen, Screen, display_found
     from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
+    from kitemj.files import check_new
     from kitemj.pilots.progress import write_progress
     from kitemj.realtime.process import FlightProcess
 
@@ -78,7 +79,9 @@ def run(args: argparse.Namespace) -> None:
     parameters, programme = setup.scenario.parameters, _programme(args, setup.scenario)
     path, duration = None, args.duration
     if args.headless or not display_found():
-        path, duration = _film_path(args), duration or SHOW_DURATION
+        path = args.film or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
+        check_new(path, args.overwrite)
+        duration = duration or SHOW_DURATION
         why = "as asked, no window" if args.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
     course = None if path else _course(args)
@@ -164,15 +167,6 @@ def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None"
     if complaint:
         person.notices.say(complaint, LONG)
     return Window(*pixels, f"kitemj: {scenario.source}", person, stick)
-
-
-def _film_path(args: argparse.Namespace) -> Path:
-    """The name asked for, or one of the present moment; InputError where it cannot be."""
-    from kitemj.files import check_new
-
-    path: Path = args.film or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
-    check_new(path, args.overwrite)
-    return path
 
 
 def _scenario(args: argparse.Namespace) -> "Scenario":

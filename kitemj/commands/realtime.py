@@ -36,7 +36,8 @@ def run(args: argparse.Namespace) -> None:
     from kitemj.realtime.launch import launch
 
     launched = launch()
-    from kitemj.cockpit.measuring import stick_steps, timed_flight
+    from kitemj.cockpit.fly import fly
+    from kitemj.cockpit.measuring import TimedScreen, stick_steps
     from kitemj.cockpit.screens import display_found
     from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
@@ -56,8 +57,8 @@ def run(args: argparse.Namespace) -> None:
         physics = FlightProcess(setup._replace(record=Path(folder) / "flight.arrows"), launched)
         with Picture(parameters, *pixels) as picture:
             physics.wait()
-            screen = _screen(args, parameters, window)
-            flown, timed = timed_flight(physics, picture, screen, stick, args.duration, args.called)
+            timed = TimedScreen(_screen(args, parameters, window), stick, physics)
+            flown = fly(physics, picture, timed, args.duration, args.called)
             screen = _screen(args, parameters, window and display_found())
             steps = stick_steps(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
@@ -100,14 +101,11 @@ def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
 def _stick_table(steps: "list[Step]") -> "Table":
     from kitemj.tables import Table
 
-    def at_most(counts: list[int], most: int) -> str:
-        return f"{sum(count <= most for count in counts)} of {len(counts)}"
-
-    ticks, frames = [step.ticks for step in steps], [step.frames for step in steps]
+    flown, shown = sum(step.ticks <= 1 for step in steps), sum(step.frames <= 1 for step in steps)
     seen = sorted(1e3 * step.seen_after for step in steps)
     rows: list[tuple[Cell, ...]] = [
-        ("flown by the first tick after it was polled", at_most(ticks, 1)),
-        ("seen in the first frame after it was polled", at_most(frames, 1)),
+        ("flown by the first tick after it was polled", f"{flown} of {len(steps)}"),
+        ("seen in the first frame after it was polled", f"{shown} of {len(steps)}"),
         ("polled to seen, median [ms]", seen[len(seen) // 2] if seen else float("nan")),
         ("polled to seen, longest [ms]", seen[-1] if seen else float("nan")),
     ]

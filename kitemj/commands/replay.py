@@ -2,13 +2,8 @@
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import MODELS, Parser, add_picture, size
-
-if TYPE_CHECKING:
-    from kitemj.recording.file import Recording
-    from kitemj.recording.replay import Replay
 
 HELP = "show a recording in a window, fly its input again, or export it"
 EXAMPLE = "kitemj replay kitemj-20260131-120000.arrows --model lagrange"
@@ -47,16 +42,8 @@ def run(args: argparse.Namespace) -> None:
     again = replay(recording, args.model, args.step) if args.model else None
     if again:
         print(comparison(again))
-    if not args.headless:
-        _show(args, recording, again, pixels)
-
-
-def _show(
-    args: argparse.Namespace,
-    recording: "Recording",
-    again: "Replay | None",
-    pixels: tuple[int, int],
-) -> None:
+    if args.headless:
+        return
     from kitemj.cockpit.screens import display_found
 
     if not display_found():

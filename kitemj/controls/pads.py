@@ -4,7 +4,7 @@ A pad is read through its layout in the settings, else through SDL's own where S
 a pad that neither knows does not steer: its axis 0 may be anything.
 """
 
-from typing import Any, Protocol
+from typing import Any
 
 import pygame
 from pygame._sdl2 import controller
@@ -12,7 +12,7 @@ from pygame._sdl2 import controller
 from kitemj.controls.notices import Notices
 from kitemj.controls.pad_layout import PRESSED, Layout
 from kitemj.controls.settings import Settings
-from kitemj.controls.stick_mapping import REST, Deflections, shaped_deflection
+from kitemj.controls.stick_mapping import Deflections, shaped_deflection
 
 FULL = 32767
 STANDARD = {
@@ -53,19 +53,6 @@ def events() -> list[pygame.event.Event]:
     except SystemError:
         found.append(pygame.event.Event(pygame.JOYDEVICEADDED))  # so that pads are looked for
     return found + pygame.event.get(pump=False)
-
-
-class Pad(Protocol):
-    """One pad that can steer; `instance` is SDL's number for it while it is plugged in."""
-
-    name: str
-    instance: int
-
-    def hands(self) -> Deflections:
-        """The deflections of its sticks now, as they are."""
-
-    def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
-        """The actions that an event of this pad asks for."""
 
 
 class StandardPad:
@@ -117,6 +104,10 @@ class LaidOutPad:
         return tuple(asked)
 
 
+Pad = StandardPad | LaidOutPad
+"""One pad that can steer; `instance` is SDL's number for it while it is plugged in."""
+
+
 class Pads:
     """All pads, in the order in which they were touched; `handle` is to see every event.
 
@@ -146,7 +137,7 @@ class Pads:
         """The deflections of the steering pad, axes inverted as the settings say."""
         pad, feel, invert = self.steering, self._settings.feel, self._settings.invert
         if pad is None:
-            return REST
+            return Deflections()
         ways = (shaped_deflection(way, feel.dead_zone, feel.expo) for way in pad.hands())
         steer, reel, left, right = ways
         return Deflections(

@@ -15,7 +15,7 @@ from kitemj.data_files import STICKS, shipped_or_file
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.live import Command
-from kitemj.physics.checked import unknown_key
+from kitemj.physics.checked import check_keys
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
 
@@ -86,9 +86,7 @@ def read_programmed_stick(path: Path, parameters: Parameters) -> ProgrammedStick
     path = shipped_or_file(path, STICKS)
     cells = list(_cells(path))
     columns = list(cells[0][1]) if cells else []
-    for column in columns:
-        if column not in Row._fields:
-            raise unknown_key(column, list(Row._fields), "", f"{path}, first line")
+    check_keys(columns, Row._fields, "", f"{path}, first line")
     if "t" not in columns:
         raise InputError(f"{path} must have a first line of columns, t among them, and rows below")
     apart, two = {"steer", "reel"} & {*columns}, {"left", "right"} & {*columns}
@@ -132,20 +130,13 @@ def _row(texts: dict[str, str], above: Row, where: str) -> Row:
         if text == "":
             continue
         if column == "buttons":
-            cells[column] = _buttons(text, where)
+            cells[column] = tuple(name.strip() for name in text.split(";"))
+            check_keys(cells[column], sorted(NAMES), "buttons", where)
         elif column == "law":
             cells[column] = law_of(text, where)
         else:
             cells[column] = _number(column, text, where)
     return above._replace(**cells)
-
-
-def _buttons(text: str, where: str) -> tuple[str, ...]:
-    names = tuple(name.strip() for name in text.split(";"))
-    for name in names:
-        if name not in NAMES:
-            raise unknown_key(name, sorted(NAMES), "buttons", where)
-    return names
 
 
 def _number(column: str, text: str, where: str) -> float:

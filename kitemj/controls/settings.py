@@ -11,7 +11,7 @@ from platformdirs import user_config_path
 from kitemj.controls.pad_layout import Layout, layout_of, table_of
 from kitemj.errors import InputError
 from kitemj.files import new_file
-from kitemj.physics.checked import checked, unknown_key
+from kitemj.physics.checked import check_keys, checked
 from kitemj.physics.parameter_files import read_toml
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.shaping import StickLaw
@@ -77,10 +77,7 @@ def settings_or_defaults(path: Path | None = None) -> tuple[Settings, str]:
 
 def settings_of(tables: Mapping[str, Any], where: str) -> Settings:
     """The settings of a file's tables; `where` names the file in messages."""
-    known = [*Feel._fields, "law", "invert", "pads"]
-    for key in tables:
-        if key not in known:
-            raise unknown_key(key, known, "", where)
+    check_keys(tables, [*Feel._fields, "law", "invert", "pads"], "", where)
     law = law_of(tables.get("law", "angle"), where)
     pads = table_of(tables.get("pads", {}), "pads", where)
     return Settings(
