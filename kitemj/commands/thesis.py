@@ -36,9 +36,8 @@ def run(args: argparse.Namespace) -> None:
     try:
         from thesis import report
     except ModuleNotFoundError as missing:
-        name = missing.name
-        says = f"the report needs the package {name}, which is not installed with kitemj"
-        raise InputError(f"{says}: pip install {name}") from None
+        says = f"the report needs the package {missing.name}, which is not installed with kitemj"
+        raise InputError(f"{says}: pip install {missing.name}") from None
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
