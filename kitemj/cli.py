@@ -4,45 +4,16 @@ import os
 import sys
 import time
 from collections.abc import Sequence
+from importlib import import_module
 from importlib.metadata import version
 
-from kitemj.commands import (
-    compare,
-    film,
-    fly,
-    info,
-    limits,
-    pad,
-    plot,
-    reach,
-    realtime,
-    replay,
-    simulate,
-    stability,
-    sweep,
-    thesis,
-    trim,
-)
-from kitemj.commands.arguments import Parser
+from kitemj.commands.arguments import Parser, add_command
 from kitemj.errors import FlightError, InputError, NoGraphics
 from kitemj.registry import use
 
 COMMANDS = (
-    fly,
-    simulate,
-    compare,
-    film,
-    replay,
-    info,
-    plot,
-    limits,
-    trim,
-    stability,
-    sweep,
-    pad,
-    reach,
-    realtime,
-    thesis,
+    *("fly", "simulate", "compare", "film", "replay", "info", "plot", "limits"),
+    *("trim", "stability", "sweep", "pad", "reach", "realtime", "thesis"),
 )
 
 
@@ -54,7 +25,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         for module in words.use:
             use(module)
-        return int(words.run(words))
+        return int(words.run(words) or 0)
     except InputError as error:
         print(f"kitemj: {error.worded(words.parser.words)}", file=sys.stderr)
         return 2
@@ -73,12 +44,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _parser() -> Parser:
-    parser = Parser(
-        prog="kitemj",
-        description="A two-line kite in MuJoCo, flown in real time beside a reference.",
-    )
+    says = "A two-line kite in MuJoCo, flown in real time beside a reference."
+    parser = Parser(prog="kitemj", description=says)
     parser.add_argument("--version", action="version", version=f"kitemj {version('kitemj')}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for each in COMMANDS:
-        each.add(commands)
+    for name in COMMANDS:
+        add_command(commands, name, import_module(f"kitemj.commands.{name}"))
     return parser

@@ -16,10 +16,9 @@ import pygame
 from numpy.typing import NDArray
 
 from kitemj.cockpit.fly import fly
-from kitemj.cockpit.measuring import NoScreen
+from kitemj.cockpit.screens import Screen
 from kitemj.controls.actions import HELP, PANELS, VIEWS
-from kitemj.controls.demonstration import show_of
-from kitemj.controls.stick import Stick
+from kitemj.controls.stick import Stick, show_of
 from kitemj.drawing.history import History, Traces
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.picture import Picture
@@ -94,12 +93,11 @@ def save(folder: Path, name: str, frame: NDArray[np.uint8], size: tuple[int, int
     print(folder / f"{name}.png")
 
 
-class Camera(NoScreen):
+class Camera(Screen):
     """Keeps the last frame."""
 
     def __init__(self, stick: Stick) -> None:
-        super().__init__()
-        self.stick = stick
+        super().__init__(stick)
         self.frame = np.empty((*SIZE[::-1], 3), np.uint8)
 
     def show(self, frame: NDArray[np.uint8], wall: float) -> None:

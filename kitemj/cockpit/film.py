@@ -1,6 +1,5 @@
 """A film file, written beside its name and given its name when it is complete."""
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -32,9 +31,8 @@ class Film(Closing):
     ) -> None:
         """Opens ``<path>.part``; nothing is at `path` before `close`.
 
-        Raises InputError, with one sentence, where there is a file and `overwrite` is False,
-        for a place that cannot be written, a kind of film that is not known, and for a size
-        or rate that it cannot have.
+        Raises InputError where there is a file and `overwrite` is False, for a place that
+        cannot be written, and for a kind, a size or a rate that no film can have.
         """
         self.path, self.width, self.height, self.frames = Path(path), width, height, 0
         check_film(self.path, width, height, rate)
@@ -81,13 +79,13 @@ class Film(Closing):
         if not self._open:
             return
         self._open = False
-        if self.frames == 0:
-            self._container.close()
-            self._part.unlink(missing_ok=True)
-            return
-        self._container.mux(self._stream.encode(None))
+        if self.frames:
+            self._container.mux(self._stream.encode(None))
         self._container.close()
-        os.replace(self._part, self.path)  # noqa: PTH105  the one call that is atomic everywhere
+        if self.frames:
+            self._part.replace(self.path)
+        else:
+            self._part.unlink(missing_ok=True)
 
 
 def check_film(path: Path, width: int, height: int, rate: int) -> None:

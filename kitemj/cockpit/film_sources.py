@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import isfinite, nan
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -20,7 +20,6 @@ from kitemj.flight.compare import position_gap
 from kitemj.flight.limits import departure_at
 from kitemj.flight.scenario import Scenario, as_scenario
 from kitemj.flight.simulate import simulate
-from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control
 from kitemj.plots.flight import Flight, flight_of_simulation
@@ -29,17 +28,8 @@ from kitemj.recording.recorder import SUFFIX
 from kitemj.recording.replay import Replay, replay
 from kitemj.recording.track import Track, between
 
-
-class FilmSource(Protocol):
-    """A flight that can be looked at; `duration` in s, `ending` says how it ended."""
-
-    parameters: Parameters
-    caption: str
-    duration: float
-    ending: str
-
-    def shot(self, t: float, speed: float) -> Shot:
-        """The shot `t` [s] after the start, shown `speed` times as fast as it was."""
+SAME = 1e-6
+"""s; far below a frame of any film, far above the rounding of times."""
 
 
 class MotionSource:
@@ -52,9 +42,8 @@ class MotionSource:
         self, flight: Flight, references: Sequence[Motion] = (), stick: str = "simulated"
     ) -> None:
         if not flight.motions:
-            raise InputError(
-                f"{flight.name} was read from a file and has no motions: film the file"
-            )
+            why = "was read from a file and has no motions: film the file"
+            raise InputError(f"{flight.name} {why}")
         self.parameters, self.caption = flight.parameters, flight.name
         self.ending = flight.ending.value if flight.ending else ""
         self._model, self._stick = flight.model, stick
@@ -63,7 +52,7 @@ class MotionSource:
         self.duration = self._times[-1]
 
     def shot(self, t: float, speed: float) -> Shot:
-        """What is seen at `t` [s], between two motions too."""
+        """The shot at `t` [s], between two motions too, shown `speed` times as fast as it was."""
         row = max(bisect_right(self._times, t + SAME) - 1, 0)
         motion = self._motion(self._motions, row, t)
         known = row < len(self._references)
@@ -86,14 +75,9 @@ class MotionSource:
             return now
         then = motions[row + 1]
         part = (t - now.t) / (then.t - now.t)
-        steering = Control(
-            *((1 - part) * a + part * b for a, b in zip(now.control, then.control, strict=True))
-        )
+        both = zip(now.control, then.control, strict=True)
+        steering = Control(*((1 - part) * a + part * b for a, b in both))
         return between(self.parameters, now, then, part, steering)
-
-
-SAME = 1e-6
-"""s; far below a frame of any film, far above the rounding of times."""
 
 
 class RecordingSource:
@@ -106,21 +90,19 @@ class RecordingSource:
         self.parameters, self.ending = recording.parameters, recording.ending or "it breaks off"
         model = recording.header.model + (f" and {again.model}" if again else "")
         self.caption = f"{recording.path.name}: {model}"
-        self._model, self._stick = recording.header.model, recording.parameters.stick.delta
+        self._model, self._columns = recording.header.model, recording.columns
         self._label = f"reference: {again.model}" if again else "recorded"
         self._tick, self._track = recording.header.tick, Track(recording)
         self._again = Track(recording, again.columns) if again else None
         self.duration = self._track.last * self._tick
-        columns = recording.columns
-        self._gaps = np.where(again.comparable, again.gaps, nan) if again else columns["gap_m"]
-        self._wish, self._law = columns["stick_delta"], columns["stick_law"]
-        self._lateness = columns["lateness_s"]
-        self._missed = np.cumsum(self._lateness > self._tick)
+        recorded = self._columns["gap_m"]
+        self._gaps = np.where(again.comparable, again.gaps, nan) if again else recorded
+        self._missed = np.cumsum(self._columns["lateness_s"] > self._tick)
         self._traces = RecordedTraces(recording, self._track)
-        self._episodes, self._episode = len(recording.episodes), columns["leg"]
+        self._episodes = len(recording.episodes)
 
     def shot(self, t: float, speed: float) -> Shot:
-        """The shot at `t` [s], between two ticks too."""
+        """The shot at `t` [s], between two ticks too, shown `speed` times as fast as it was."""
         place = min(max(t / self._tick, 0.0), float(self._track.last))
         row = min(round(place), self._track.last)
         motion = self._track.motion(place)
@@ -129,14 +111,15 @@ class RecordingSource:
         gap = float(self._gaps[row])
         if self._again:
             reference = self._again.motion(place) if isfinite(gap) else None
-        restarts = f" {self._episode[row] + 1}/{self._episodes}" if self._episodes > 1 else ""
+        columns, episodes = self._columns, self._episodes
+        restarts = f" {columns['leg'][row] + 1}/{episodes}" if episodes > 1 else ""
         readings = Readings(
             model=self._model,
             gap=gap if isfinite(gap) else None,
-            delta_command=float(self._wish[row]) * self._stick,
-            law=StickLaw(int(self._law[row])),
+            delta_command=float(columns["stick_delta"][row]) * self.parameters.stick.delta,
+            law=StickLaw(int(columns["stick_law"][row])),
             missed_ticks=int(self._missed[row]),
-            lateness=float(self._lateness[row]),
+            lateness=float(columns["lateness_s"][row]),
             stick=f"{self._label}{restarts}",
             speed=speed,
             traces=self._traces.at(row),
@@ -144,17 +127,8 @@ class RecordingSource:
         return Shot(motion, reference, readings)
 
 
-def scenario_source(scenario: Scenario, model: str, step: float, interval: float) -> MotionSource:
-    """`model` flying `scenario` beside the Lagrangian reference, every `interval` [s].
-
-    `step` [s] is the longest. Raises InputError for what cannot be flown.
-    """
-    interval = min(interval, scenario.times.duration)
-    framed = replace(scenario, times=scenario.times._replace(output_interval=interval))
-    references = simulate(framed, "lagrange", step).motions
-    flight = flight_of_simulation(simulate(framed, model, step))
-    caption = f"{scenario.source}: {model}"
-    return MotionSource(replace(flight, name=caption), references, "programme")
+FilmSource = MotionSource | RecordingSource
+"""A flight that can be looked at; `duration` in s, `ending` says how it ended."""
 
 
 def film_source(
@@ -165,8 +139,9 @@ def film_source(
 ) -> FilmSource:
     """What can be filmed of a flight, a recording, a scenario, or a file of either.
 
-    `model` flies a scenario (mujoco if None), or the input of a recording again, beside it;
-    `step` [s] is its longest, `interval` [s] that of the frames. Raises InputError.
+    `model` flies a scenario (mujoco if None) beside the Lagrangian reference, or the input of a
+    recording again; `step` [s] is its longest, `interval` [s] that of the frames.
+    Raises InputError.
     """
     if isinstance(given, (str, Path)) and Path(given).suffix.lower() == SUFFIX:
         given = read_recording(given)
@@ -174,4 +149,11 @@ def film_source(
         return RecordingSource(given, replay(given, model, step) if model else None)
     if isinstance(given, Flight):
         return MotionSource(given)
-    return scenario_source(as_scenario(given), model or "mujoco", step or DEFAULT_STEP, interval)
+    scenario, model, step = as_scenario(given), model or "mujoco", step or DEFAULT_STEP
+    times = scenario.times._replace(output_interval=min(interval, scenario.times.duration))
+    framed = replace(scenario, times=times)
+    references = simulate(framed, "lagrange", step).motions
+    flight = flight_of_simulation(simulate(framed, model, step))
+    return MotionSource(
+        replace(flight, name=f"{scenario.source}: {model}"), references, "programme"
+    )

@@ -1,7 +1,6 @@
 """Films and still pictures of flights, made without a screen as fast as it goes."""
 
 from collections.abc import Sequence
-from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
 
@@ -9,7 +8,7 @@ import pygame
 
 from kitemj.cockpit.film import Film, check_film
 from kitemj.cockpit.film_sources import FilmSource
-from kitemj.cockpit.parallel_painting import Frame, Painter, Stage, painted, workers_for
+from kitemj.cockpit.parallel_painting import Painter, Stage, painted, workers_for
 from kitemj.cockpit.screens import FRAME_RATE
 from kitemj.errors import InputError
 from kitemj.files import check_new, new_file
@@ -85,7 +84,9 @@ def still(
         raise InputError(f"`still` must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")
     with Painter(_stage(sources, style)) as painter, new_file(path, overwrite) as part:
         frame = painter.paint([source.shot(t, style.speed) for source in sources])
-        part.write_bytes(_png(frame))
+        picture = pygame.image.frombuffer(frame.data, frame.shape[1::-1], "RGB")
+        with part.open("wb") as file:
+            pygame.image.save(picture, file, "PNG")
     return f"{path}: {t:g} s"
 
 
@@ -93,10 +94,3 @@ def _stage(sources: Sequence[FilmSource], style: FilmStyle) -> Stage:
     parameters = tuple(source.parameters for source in sources)
     captions = tuple(source.caption for source in sources)
     return Stage(parameters, captions, style.size, style.view, style.instruments)
-
-
-def _png(frame: Frame) -> bytes:
-    buffer = BytesIO()
-    height, width = frame.shape[:2]
-    pygame.image.save(pygame.image.frombuffer(frame.data, (width, height), "RGB"), buffer, "PNG")
-    return buffer.getvalue()

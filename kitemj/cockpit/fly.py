@@ -5,14 +5,14 @@ from dataclasses import dataclass
 
 import pygame
 
-from kitemj.cockpit.screens import FRAME_RATE, Frame, Screen
+from kitemj.cockpit.screens import FRAME_RATE, Screen
 from kitemj.controls.actions import HELP, Wishes
 from kitemj.controls.programmed import ProgrammedStick
 from kitemj.drawing.history import History
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.flight.live import TICK
-from kitemj.pilots.course import Course, LessonStatus
+from kitemj.pilots.course import Course
 from kitemj.realtime.messages import Deed, Rate, StartAt, Timekeeping
 from kitemj.realtime.process import FlightProcess
 
@@ -31,14 +31,13 @@ class Summary:
     def __str__(self) -> str:
         """A few lines for people."""
         times = self.times
-        gap = times.largest_gap
         text = (
             f"flown        {self.flown:.2f} s in {self.wall:.2f} s of wall time\n"
             f"ticks        {times.ticks} of {TICK * 1e3:g} ms, {times.missed} missed, "
             f"worst lateness {times.worst * 1e3:.1f} ms\n"
             f"frames       {self.frames}, {self.frames / max(self.wall, 1e-9):.1f} a second, "
             f"the first after {self.first_frame:.1f} s\n"
-            f"largest gap  {gap * 1e6:.3g} µm between the kite and its reference\n"
+            f"largest gap  {times.largest_gap * 1e6:.3g} µm between the kite and its reference\n"
             f"recording    {self.recording}"
         )
         if times.lost:
@@ -66,8 +65,7 @@ def fly(
     Raises what ended the flight, if anything did, once the screen is closed.
     """
     called, history = called or time.perf_counter(), History(physics.parameters)
-    ending, recording = "left by the pilot", "none"
-    frames, first, clock = 0, 0.0, pygame.time.Clock()
+    ending, frames, first, clock = "left by the pilot", 0, 0.0, pygame.time.Clock()
     picture.paint(physics.result.motion, None, Readings(), screen.wishes.view)
     physics.start()
     begun = time.perf_counter()
@@ -86,7 +84,9 @@ def fly(
             _grant(screen.wishes, physics, picture, course)
             if course:
                 course.watch(physics.result.motion)
-            screen.show(_painted(physics, history, picture, screen, course), painting - begun)
+            result, readings = physics.result, _readings(physics, history, screen, course)
+            frame = picture.paint(result.motion, result.reference, readings, screen.wishes.view)
+            screen.show(frame, painting - begun)
             frames += 1
             history.add_frame(painting, time.perf_counter() - painting)
             first = first or time.perf_counter() - called
@@ -121,18 +121,15 @@ def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Cou
     picture.shown = wishes.shown
 
 
-def _painted(
-    physics: FlightProcess,
-    history: History,
-    picture: Picture,
-    screen: Screen,
-    course: Course | None,
-) -> Frame:
-    """The frame of the present moment; the pointer of the knob is where the stick is now."""
-    result, times, wishes = physics.result, physics.times, screen.wishes
-    readings = Readings(
+def _readings(
+    physics: FlightProcess, history: History, screen: Screen, course: Course | None
+) -> Readings:
+    """The readings of the present moment; the pointer of the knob is where the stick is now."""
+    times, wishes, status = physics.times, screen.wishes, course.status if course else None
+    lesson_shown = status and (status.number or status.praised)  # until all are passed and praised
+    return Readings(
         model=physics.model,
-        gap=result.gap,
+        gap=physics.result.gap,
         delta_command=physics.command.delta * physics.parameters.stick.delta,
         law=physics.command.law,
         missed_ticks=times.missed,
@@ -142,13 +139,6 @@ def _painted(
         message=screen.message or physics.problem,
         traces=history.traces(time.perf_counter()),
         help=HELP if wishes.help else (),
-        lesson=_lesson(course),
+        lesson=status if lesson_shown else None,
         touch=physics.touch,
     )
-    return picture.paint(result.motion, result.reference, readings, wishes.view)
-
-
-def _lesson(course: Course | None) -> LessonStatus | None:
-    """The lesson to be shown; None once all are passed and praised."""
-    status = course.status if course else None
-    return status if status and (status.number or status.praised) else None

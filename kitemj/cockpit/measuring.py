@@ -12,17 +12,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from kitemj.cockpit.fly import Summary, fly
+from kitemj.cockpit.fly import fly
 from kitemj.cockpit.screens import Frame, Screen
-from kitemj.controls.actions import Wishes
-from kitemj.controls.stick import PilotStick, Stick
+from kitemj.controls.stick import Stick
 from kitemj.drawing.colours import CALL
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.knob import HUB, OUTER
 from kitemj.drawing.picture import Picture
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
-from kitemj.pilots.manoeuvres import Hold
 from kitemj.realtime.memory import peak_memory
 from kitemj.realtime.messages import TickNews
 from kitemj.realtime.process import FlightProcess
@@ -35,34 +33,15 @@ DEFLECTION = 0.2
 """Of the stick to each side: enough to see the pointer move, too little to fly away."""
 
 
-class NoScreen:
-    """Frames are painted and looked at by nobody; nobody steers."""
-
-    message = ""
-
-    def __init__(self) -> None:
-        self.stick: Stick = PilotStick(Hold())
-        self.wishes = Wishes()
-
-    def poll(self) -> None:
-        """Nobody is there."""
-
-    def show(self, frame: Frame, wall: float) -> None:
-        """Forgets the frame."""
-
-    def close(self) -> None:
-        """Nothing was opened."""
-
-
-class TimedScreen:
+class TimedScreen(Screen):
     """A screen whose frames are timed: `times` [s], and peak `memory` [MB] at some of them.
 
     The memory is that of both processes.
     """
 
     def __init__(self, screen: Screen, stick: Stick, physics: FlightProcess) -> None:
-        self._screen, self.stick, self.wishes = screen, stick, screen.wishes
-        self._physics = physics
+        super().__init__(stick)
+        self._screen, self._physics, self.wishes = screen, physics, screen.wishes
         self.times: list[float] = []
         self.memory: list[tuple[float, float]] = []
 
@@ -98,27 +77,6 @@ class TimedScreen:
         return settled[-1] - settled[0] if settled else float("nan")
 
 
-def timed_flight(
-    physics: FlightProcess,
-    picture: Picture,
-    screen: Screen,
-    stick: Stick,
-    duration: float,
-    called: float | None = None,
-) -> tuple[Summary, TimedScreen]:
-    """A flight measured: what `fly` tells of it, and the times of its frames.
-
-    physics: the flight in real time, not yet started
-    picture: paints the frames
-    screen: shows them
-    stick: steers
-    duration: s of wall time
-    called: s by perf_counter, since when the first frame is waited for; None: now
-    """
-    timed = TimedScreen(screen, stick, physics)
-    return fly(physics, picture, timed, duration, called), timed
-
-
 @dataclass
 class Step:
     """A move of the stick: `polled` when [s], how many ticks and frames until it was there.
@@ -140,8 +98,8 @@ class SteppingStick:
 
     name = "measuring"
 
-    def __init__(self, seed: int = 1) -> None:
-        self._random, self._next, self._side = random.Random(seed), 0.0, 1.0
+    def __init__(self) -> None:
+        self._random, self._next, self._side = random.Random(1), 0.0, 1.0
         self.steps: list[Step] = []
 
     def command(self, motion: Motion) -> Command:

@@ -32,5 +32,4 @@ class Player:
 
     def change_speed(self, by: int) -> None:
         """Changes to the next of `SPEEDS` up (+1) or down (-1)."""
-        place = min(max(SPEEDS.index(self.speed) + by, 0), len(SPEEDS) - 1)
-        self.speed = SPEEDS[place]
+        self.speed = SPEEDS[min(max(SPEEDS.index(self.speed) + by, 0), len(SPEEDS) - 1)]

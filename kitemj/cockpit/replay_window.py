@@ -6,7 +6,7 @@ import pygame
 from kitemj.cockpit.film_sources import RecordingSource
 from kitemj.cockpit.replay_player import Player
 from kitemj.cockpit.replay_slider import HEIGHT, Slider
-from kitemj.cockpit.screens import FRAME_RATE
+from kitemj.cockpit.screens import FRAME_RATE, put_in_window
 from kitemj.controls.actions import VIEWS
 from kitemj.controls.pads import events
 from kitemj.drawing.picture import Picture
@@ -82,14 +82,7 @@ class ReplayWindow:
         self._whole.blit(pygame.image.frombuffer(frame.data, size, "RGB"), (0, 0))
         strip = pygame.Rect(0, picture.height, picture.width, HEIGHT)
         self._slider.paint(self._whole.subsurface(strip), player)
-        surface = pygame.display.get_surface()
-        self._place = self._whole.get_rect().fit(surface.get_rect())
-        whole = self._whole
-        if self._place.size != whole.get_size():
-            whole = pygame.transform.smoothscale(whole, self._place.size)
-            surface.fill((0, 0, 0))
-        surface.blit(whole, self._place)
-        pygame.display.flip()
+        self._place = put_in_window(self._whole)
 
     def _in_strip(self, at: tuple[int, int]) -> tuple[float, float]:
         """Returns a place in the window as px of the strip as it was painted."""
@@ -104,9 +97,8 @@ class ReplayWindow:
         elif key == pygame.K_SPACE:
             player.toggle()
         elif key in (pygame.K_LEFT, pygame.K_RIGHT):
-            player.seek(
-                player.t + (self._tick if shift else 1.0) * (1 if key == pygame.K_RIGHT else -1)
-            )
+            step = self._tick if shift else 1.0
+            player.seek(player.t + (step if key == pygame.K_RIGHT else -step))
         elif key in (pygame.K_UP, pygame.K_DOWN):
             player.change_speed(1 if key == pygame.K_UP else -1)
         elif key in (pygame.K_HOME, pygame.K_END):

@@ -3,12 +3,10 @@
 import os
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
-from pygame import RESIZABLE
 
 from kitemj.cockpit.film import Film
 from kitemj.controls.actions import Wishes
@@ -20,18 +18,19 @@ FRAME_RATE = 30
 Frame = NDArray[np.uint8]
 
 
-class Screen(Protocol):
-    """Takes frames, and says what the person at it wants."""
+class Screen:
+    """Takes frames, and says what the person at it wants; this one shows them to nobody.
 
-    wishes: Wishes
+    `stick` is that of the person at it, `wishes` what they ask for.
+    """
 
-    @property
-    def stick(self) -> Stick:
-        """The stick of the person at the screen."""
+    def __init__(self, stick: Stick) -> None:
+        self.stick, self.wishes = stick, Wishes()
 
     @property
     def message(self) -> str:
         """A sentence on the stick for the person; empty: none."""
+        return ""
 
     def poll(self) -> None:
         """Takes in what the person did since."""
@@ -64,7 +63,19 @@ TURN = 0.005
 """rad; of the orbit view for each pixel."""
 
 
-class Window:
+def put_in_window(picture: pygame.Surface) -> pygame.Rect:
+    """Shows the picture as large as the window allows, its shape kept; returns its place there."""
+    surface = pygame.display.get_surface()
+    place = picture.get_rect().fit(surface.get_rect())
+    if place.size != picture.get_size():
+        picture = pygame.transform.smoothscale(picture, place.size)
+        surface.fill((0, 0, 0))
+    surface.blit(picture, place)
+    pygame.display.flip()
+    return place
+
+
+class Window(Screen):
     """A window of its own; `actions.HELP` says its keys. A frame keeps its shape in any window.
 
     The `person` steers, unless a programmed `stick` does; keys and buttons work either way.
@@ -73,10 +84,10 @@ class Window:
     def __init__(
         self, width: int, height: int, title: str, person: PersonStick, stick: Stick | None = None
     ) -> None:
-        self._size = (width, height)
-        pygame.display.set_mode(self._size, RESIZABLE)
+        super().__init__(stick or person)
+        self._person, self._size = person, (width, height)
+        pygame.display.set_mode(self._size, pygame.RESIZABLE)
         pygame.display.set_caption(title)
-        self._person, self.stick, self.wishes = person, stick or person, Wishes()
         self._windowed: tuple[int, int] | None = None  # its size before it was full
 
     @property
@@ -115,19 +126,12 @@ class Window:
             pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
             return
         pygame.display.set_mode(self._windowed)  # window managers keep the large size of one
-        pygame.display.set_mode(self._windowed, RESIZABLE)  # that may have any
+        pygame.display.set_mode(self._windowed, pygame.RESIZABLE)  # that may have any
         self._windowed = None
 
     def show(self, frame: Frame, wall: float) -> None:
-        """Puts the frame on the screen, as large as the window allows, its shape kept."""
-        picture = pygame.image.frombuffer(frame.data, self._size, "RGB")
-        surface = pygame.display.get_surface()
-        place = picture.get_rect().fit(surface.get_rect())
-        if place.size != self._size:
-            picture = pygame.transform.smoothscale(picture, place.size)
-            surface.fill((0, 0, 0))
-        surface.blit(picture, place)
-        pygame.display.flip()
+        """Puts the frame on the screen."""
+        put_in_window(pygame.image.frombuffer(frame.data, self._size, "RGB"))
 
     def close(self) -> None:
         """Closes the window and lets go of the pads; fonts stay, pictures may go on."""
@@ -135,19 +139,14 @@ class Window:
         pygame.display.quit()
 
 
-class FilmScreen:
+class FilmScreen(Screen):
     """A film in real time: a frame that came late stands as long as it was the newest."""
-
-    message = ""
 
     def __init__(
         self, path: Path, width: int, height: int, stick: Stick, overwrite: bool = False
     ) -> None:
+        super().__init__(stick)
         self._film = Film(path, width, height, FRAME_RATE, overwrite)
-        self.stick, self.wishes = stick, Wishes()
-
-    def poll(self) -> None:
-        """Nobody is there."""
 
     def show(self, frame: Frame, wall: float) -> None:
         """Adds the frame for as many film frames as have passed."""

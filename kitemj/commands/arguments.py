@@ -1,6 +1,7 @@
 """Words that several subcommands share."""
 
 import argparse
+from types import ModuleType
 from typing import NoReturn
 
 from kitemj.controls.actions import VIEWS
@@ -10,7 +11,6 @@ from kitemj.errors import InputError
 
 MODELS = tuple(REGISTRY.shipped)
 SCENARIO = "a scenario file (TOML), or the name of one that ships: steer_200m"
-RAW = argparse.RawDescriptionHelpFormatter
 
 
 class Parser(argparse.ArgumentParser):
@@ -26,22 +26,22 @@ class Parser(argparse.ArgumentParser):
         return {each.dest: each.option_strings[0] for each in self._actions if each.option_strings}
 
 
-def command(
-    commands: "argparse._SubParsersAction[Parser]", name: str, says: str, example: str
-) -> Parser:
-    """The parser of a subcommand, with an example in its help and the option ``--use``."""
+def add_command(
+    commands: "argparse._SubParsersAction[Parser]", name: str, module: ModuleType
+) -> None:
+    """Adds the subcommand of a module: its `HELP`, `EXAMPLE`, `NOTES`, arguments, and ``--use``."""
+    notes = f"{module.NOTES}\n\n" if hasattr(module, "NOTES") else ""
     parser = commands.add_parser(
-        name, help=says, description=says, epilog=f"example:\n  {example}", formatter_class=RAW
+        name,
+        help=module.HELP,
+        description=module.HELP,
+        epilog=f"{notes}example:\n  {module.EXAMPLE}",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument(
-        "--use",
-        action="append",
-        default=[],
-        metavar="MODULE",
-        help="a module of your own, which adds laws of the air, winds, models or pilots",
-    )
-    parser.set_defaults(parser=parser)
-    return parser
+    says = "a module of your own, which adds laws of the air, winds, models or pilots"
+    parser.add_argument("--use", action="append", default=[], metavar="MODULE", help=says)
+    module.add(parser)
+    parser.set_defaults(parser=parser, run=module.run)
 
 
 def add_json(parser: Parser) -> None:
@@ -57,11 +57,8 @@ def add_step(parser: Parser) -> None:
 
 def add_pilot(parser: Parser) -> None:
     """``--pilot``."""
-    parser.add_argument(
-        "--pilot",
-        metavar="WHO",
-        help="has the stick: hold, loop, eight, land, or one of your own as FILE.py:NAME",
-    )
+    says = "has the stick: hold, loop, eight, land, or one of your own as FILE.py:NAME"
+    parser.add_argument("--pilot", metavar="WHO", help=says)
 
 
 def add_picture(parser: Parser) -> None:

@@ -3,29 +3,23 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_json, add_step, command
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_json, add_step
+
+HELP = "fly a scenario through the models and print how far apart they are"
+EXAMPLE = "kitemj compare scenarios/steer_200m.toml"
 
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "compare",
-        "fly a scenario through the models and print how far apart they are",
-        "kitemj compare scenarios/steer_200m.toml",
-    )
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     parser.add_argument("scenario", type=Path, nargs="+", help=SCENARIO)
-    parser.add_argument(
-        "--models", default=",".join(MODELS), metavar="A,B", help="the last one is the reference"
-    )
-    parser.add_argument(
-        "--ladder", action="store_true", help="from accelerations to the order of convergence"
-    )
+    says = "the last one is the reference"
+    parser.add_argument("--models", default=",".join(MODELS), metavar="A,B", help=says)
+    says = "from accelerations to the order of convergence"
+    parser.add_argument("--ladder", action="store_true", help=says)
     parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="write the table as well")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE.md if it exists")
     add_json(parser)
     add_step(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

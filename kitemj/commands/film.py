@@ -3,28 +3,22 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_picture, command, size
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_picture, size
 from kitemj.errors import InputError
+
+HELP = "film a scenario or a recording with no screen; two of them, or two models, side by side"
+EXAMPLE = "kitemj film scenarios/loops_20m.toml --output kite.mp4"
 
 MOST = 2
 
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "film",
-        "film a scenario or a recording with no screen; two of them, or two models, side by side",
-        "kitemj film scenarios/loops_20m.toml --output kite.mp4",
-    )
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     parser.add_argument("source", type=Path, nargs="+", help=f"a recording, or {SCENARIO}")
     parser.add_argument("--output", type=Path, required=True, metavar="FILE", help=".mp4 or .gif")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE if it exists")
-    parser.add_argument(
-        "--model",
-        metavar="A[,B]",
-        help=f"one or two of {', '.join(MODELS)}; a recording's input is flown again through it",
-    )
+    says = f"one or two of {', '.join(MODELS)}; a recording's input is flown again through it"
+    parser.add_argument("--model", metavar="A[,B]", help=says)
     parser.add_argument("--rate", type=int, default=30, help="frames/s, default 30")
     parser.add_argument("--speed", type=float, default=1.0, help="2: twice as fast as it was")
     parser.add_argument("--from", dest="start", type=float, default=0.0, metavar="S")
@@ -33,11 +27,10 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.add_argument("--instruments", action=argparse.BooleanOptionalAction, default=True)
     add_picture(parser)
     parser.add_argument("--step", type=float, metavar="S", help="longest step [s], default 0.002")
-    parser.set_defaults(run=run)
 
 
-def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Makes the film, or the still picture."""
     from kitemj.cockpit.film_sources import film_source
     from kitemj.cockpit.filming import FilmStyle, check_output, film, still
 
@@ -55,4 +48,3 @@ def run(args: argparse.Namespace) -> int:
         print(still(sources, args.output, style, args.still, args.overwrite))
     else:
         print(film(sources, args.output, style, args.start, args.end, args.overwrite))
-    return 0

@@ -13,18 +13,22 @@ from kitemj.commands.arguments import (
     add_picture,
     add_pilot,
     add_step,
-    command,
     size,
 )
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
-    from kitemj.cockpit.screens import Screen
+    from kitemj.cockpit.screens import Window
     from kitemj.controls.stick import Stick
     from kitemj.flight.scenario import Scenario
-    from kitemj.physics.parameters import Parameters
     from kitemj.pilots.course import Course
     from kitemj.recording.live import FlightSetup
+
+HELP = "fly in real time with a gamepad, the keys or the mouse; with no display, film a show"
+EXAMPLE = "kitemj fly scenarios/steer_80m.toml"
+NOTES = """\
+Left stick, arrow keys or A/D, or the mouse with its button held: the lines.
+W/S or the right stick: let out and take in. F1 shows all keys, Esc leaves."""
 
 SHOW_DURATION = 20.0
 """s; of a flight that nobody watches."""
@@ -32,32 +36,16 @@ LONG = 20.0
 """s; for a sentence that must not be missed."""
 
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "fly",
-        "fly in real time with a gamepad, the keys or the mouse; with no display, film a show",
-        "kitemj fly scenarios/steer_80m.toml",
-    )
-    parser.epilog = (
-        "Left stick, arrow keys or A/D, or the mouse with its button held: the lines.\n"
-        "W/S or the right stick: let out and take in. F1 shows all keys, Esc leaves.\n\n"
-        f"{parser.epilog}"
-    )
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     parser.add_argument("scenario", type=Path, nargs="?", help=SCENARIO)
-    parser.add_argument(
-        "--kite",
-        default="sport",
-        metavar="SET",
-        help="without a scenario: sport, thesis, laksa, or a TOML file that changes one of them",
-    )
+    says = "without a scenario: sport, thesis, laksa, or a TOML file that changes one of them"
+    parser.add_argument("--kite", default="sport", metavar="SET", help=says)
     parser.add_argument("--arm", type=float, metavar="M", help="arms of so much, which limits δ")
     parser.add_argument("--stick", type=Path, metavar="FILE.csv", help="a table flies, nobody else")
     add_pilot(parser)
-    parser.add_argument(
-        "--from", dest="past", type=Path, metavar="RECORDING", help="go on from its last flight"
-    )
+    says = "go on from its last flight"
+    parser.add_argument("--from", dest="past", type=Path, metavar="RECORDING", help=says)
     parser.add_argument("--at", type=float, metavar="S", help="from this time of it; its end")
     parser.add_argument("--lessons", action="store_true", help="all lessons, passed or not")
     parser.add_argument("--no-lessons", action="store_true", help="none")
@@ -70,17 +58,18 @@ def add(commands: "argparse._SubParsersAction[Parser]") -> None:
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     add_picture(parser)
     add_step(parser)
-    parser.set_defaults(run=run)
 
 
-def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Flies, and tells of it."""
     from kitemj.realtime.launch import launch
 
     launched = launch()
     from kitemj.cockpit.fly import fly
-    from kitemj.cockpit.screens import display_found
+    from kitemj.cockpit.screens import FilmScreen, Screen, display_found
+    from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
+    from kitemj.files import check_new
     from kitemj.pilots.progress import write_progress
     from kitemj.realtime.process import FlightProcess
 
@@ -90,7 +79,9 @@ def run(args: argparse.Namespace) -> int:
     parameters, programme = setup.scenario.parameters, _programme(args, setup.scenario)
     path, duration = None, args.duration
     if args.headless or not display_found():
-        path, duration = _film_path(args), duration or SHOW_DURATION
+        path = args.film or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
+        check_new(path, args.overwrite)
+        duration = duration or SHOW_DURATION
         why = "as asked, no window" if args.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
     course = None if path else _course(args)
@@ -99,15 +90,18 @@ def run(args: argparse.Namespace) -> int:
     physics = FlightProcess(setup, launched)
     with Picture(parameters, *pixels) as picture:
         physics.wait()
-        screen = _film(args, path, programme, parameters) if path else None
-        screen = screen or _window(setup.scenario, pixels, programme)
+        screen: Screen
+        if path:
+            stick = programme or show_of(parameters)
+            screen = FilmScreen(path, *pixels, stick, args.overwrite)
+        else:
+            screen = _window(setup.scenario, pixels, programme)
         screen.wishes.view = args.view
         print(fly(physics, picture, screen, duration, args.called, course))
     if course:
         print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
     if path:
         print(f"film         {path}")
-    return 0
 
 
 def _setup(args: argparse.Namespace) -> "FlightSetup":
@@ -162,16 +156,7 @@ def _programme(args: argparse.Namespace, scenario: "Scenario") -> "Stick | None"
     return read_programmed_stick(args.stick, scenario.parameters) if args.stick else None
 
 
-def _film(
-    args: argparse.Namespace, path: Path, stick: "Stick | None", parameters: "Parameters"
-) -> "Screen":
-    from kitemj.cockpit.screens import FilmScreen
-    from kitemj.controls.demonstration import show_of
-
-    return FilmScreen(path, *size(args.size), stick or show_of(parameters), args.overwrite)
-
-
-def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None") -> "Screen":
+def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None") -> "Window":
     """A window for a person, with what they have set; `stick` flies in their place."""
     from kitemj.cockpit.screens import Window
     from kitemj.controls.settings import settings_or_defaults
@@ -182,15 +167,6 @@ def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None"
     if complaint:
         person.notices.say(complaint, LONG)
     return Window(*pixels, f"kitemj: {scenario.source}", person, stick)
-
-
-def _film_path(args: argparse.Namespace) -> Path:
-    """The name asked for, or one of the present moment; InputError where it cannot be."""
-    from kitemj.files import check_new
-
-    path: Path = args.film or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
-    check_new(path, args.overwrite)
-    return path
 
 
 def _scenario(args: argparse.Namespace) -> "Scenario":
@@ -220,8 +196,7 @@ def _course(args: argparse.Namespace) -> "Course | None":
     from kitemj.pilots.course import Course
     from kitemj.pilots.progress import read_progress
 
-    own = args.scenario or args.past or args.kite != "sport"
-    if args.no_lessons or own:
+    if args.no_lessons or args.scenario or args.past or args.kite != "sport":
         return None
     course = Course(parameter_set("sport"), () if args.lessons else read_progress().passed)
     return course if course.lesson else None

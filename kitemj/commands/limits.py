@@ -5,37 +5,30 @@ from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import Parser, command
+from kitemj.commands.arguments import Parser
 from kitemj.commands.plot import add_file, add_save
 from kitemj.commands.results import check_results
 
 if TYPE_CHECKING:
     from kitemj.tables import Cell
 
+HELP = "print and draw T₊/T_max, T₋/T_max, α/α_stall and |β|/β_max of a flight"
+EXAMPLE = "kitemj limits scenarios/steer_80m.toml --save limits.pdf"
+NOTES = """\
+Above 1, or with a tension or an α of 0 or less, the model is not valid: the figure is
+hatched there, and the table says from when on. The exit status is 0 all the same."""
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "limits",
-        "print and draw T₊/T_max, T₋/T_max, α/α_stall and |β|/β_max of a flight",
-        "kitemj limits scenarios/steer_80m.toml --save limits.pdf",
-    )
-    parser.epilog = (
-        "Above 1, or with a tension or an α of 0 or less, the model is not valid: the figure is\n"
-        "hatched there, and the table says from when on. The exit status is 0 all the same.\n\n"
-        f"{parser.epilog}"
-    )
+
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     add_file(parser)
     add_save(parser, "the figure: .png, .pdf or .svg")
-    parser.add_argument(
-        "--output", type=Path, metavar="FILE", help="the table: .json, .csv or .parquet"
-    )
-    parser.set_defaults(run=run)
+    says = "the table: .json, .csv or .parquet"
+    parser.add_argument("--output", type=Path, metavar="FILE", help=says)
 
 
-def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Prints the table; writes and draws what is asked for."""
     from kitemj.flight.limits import left_limits
     from kitemj.plots.figure_output import save_figures
     from kitemj.plots.limits import Extremes, extremes, limits_figure
@@ -53,7 +46,6 @@ def run(args: argparse.Namespace) -> int:
         write(args.output, [Table("limits", Extremes._fields, rows)], {}, args.overwrite)
     if args.save:
         print(*save_figures({"limits": limits_figure(flight)}, args.save, args.overwrite))
-    return 0
 
 
 def _worded(row: "tuple[Cell, ...]") -> "tuple[Cell, ...]":

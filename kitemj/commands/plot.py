@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import MODELS, Parser, command
+from kitemj.commands.arguments import MODELS, Parser
 from kitemj.errors import InputError
 from kitemj.plots.figures import FIGURES
 
@@ -13,62 +13,38 @@ if TYPE_CHECKING:
 
     from kitemj.plots.flight import Flight
 
+HELP = "draw a recording, a scenario or a table: state, rates, tensions, angles, path, ..."
+EXAMPLE = "kitemj plot scenarios/steer_80m.toml --what state,window --save flight.pdf"
+NOTES = """\
+Of several figures, NAME.pdf has a page for each; NAME.png and NAME.svg become
+NAME-state.png, NAME-rates.png, ... A single figure is NAME itself.
+Red and solid is the pilot's left, A₊; blue and dashed the right, A₋. Grey: beyond the
+limits of validity."""
+
 ALL = "all"
 
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "plot",
-        "draw a recording, a scenario or a table: state, rates, tensions, angles, path, ...",
-        "kitemj plot scenarios/steer_80m.toml --what state,window --save flight.pdf",
-    )
-    parser.epilog = (
-        "Of several figures, NAME.pdf has a page for each; NAME.png and NAME.svg become\n"
-        "NAME-state.png, NAME-rates.png, ... A single figure is NAME itself.\n"
-        "Red and solid is the pilot's left, A₊; blue and dashed the right, A₋. Grey: beyond the\n"
-        "limits of validity.\n\n"
-        f"{parser.epilog}"
-    )
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     add_file(parser)
-    parser.add_argument(
-        "--what",
-        default=ALL,
-        metavar="A,B",
-        help=f"which of {', '.join(FIGURES.shipped)}; default {ALL} that the file has numbers for",
-    )
+    says = f"which of {', '.join(FIGURES.shipped)}; default {ALL} that the file has numbers for"
+    parser.add_argument("--what", default=ALL, metavar="A,B", help=says)
     add_save(parser, "figures: .png, .pdf or .svg; without it they are shown in windows")
-    parser.set_defaults(run=run)
 
 
 def add_file(parser: Parser) -> None:
     """The flight, and what can be chosen of it."""
-    parser.add_argument(
-        "file",
-        type=Path,
-        metavar="FILE",
-        help="a recording (*.arrows), a scenario (*.toml), which is flown, or a table (*.csv, "
-        "*.parquet) of kitemj simulate or replay --export",
+    says = (
+        "a recording (*.arrows), a scenario (*.toml), which is flown, or a table (*.csv, "
+        "*.parquet) of kitemj simulate or replay --export"
     )
-    parser.add_argument(
-        "--model", default="", help=f"flies a scenario: {', '.join(MODELS)}; default lagrange"
-    )
-    parser.add_argument(
-        "--leg",
-        dest="episode",
-        type=int,
-        default=0,
-        metavar="N",
-        help="which flight of a recording, as kitemj info counts them; default the longest",
-    )
-    parser.add_argument(
-        "--kite",
-        default="",
-        metavar="SET",
-        help="which kite flew a table: a set or a scenario's file; default the set that its "
-        "lines fit",
-    )
+    parser.add_argument("file", type=Path, metavar="FILE", help=says)
+    says = f"flies a scenario: {', '.join(MODELS)}; default lagrange"
+    parser.add_argument("--model", default="", help=says)
+    says = "which flight of a recording, as kitemj info counts them; default the longest"
+    parser.add_argument("--leg", dest="episode", type=int, default=0, metavar="N", help=says)
+    says = "which kite flew a table: a set or a scenario's file; default the set that its lines fit"
+    parser.add_argument("--kite", default="", metavar="SET", help=says)
 
 
 def add_save(parser: Parser, says: str) -> None:
@@ -77,8 +53,8 @@ def add_save(parser: Parser, says: str) -> None:
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
 
 
-def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Draws the figures."""
     from kitemj.flight.limits import left_limits
     from kitemj.plots.figure_output import check_figures, check_windows, save_figures, show
     from kitemj.plots.sources import read_flight
@@ -95,11 +71,9 @@ def run(args: argparse.Namespace) -> int:
     if flight.departure:
         print(left_limits(flight.departure))
     if args.save:
-        for path in save_figures(figures, args.save, args.overwrite):
-            print(path)
+        print(*save_figures(figures, args.save, args.overwrite), sep="\n")
     else:
         show(figures)
-    return 0
 
 
 def _names(what: str) -> list[str]:
@@ -107,9 +81,8 @@ def _names(what: str) -> list[str]:
     names = list(dict.fromkeys(what.split(",")))
     for name in names:
         if name != ALL and name not in FIGURES:
-            raise InputError(
-                f"there is no figure {name!r}; there are: {', '.join(FIGURES)}, and {ALL}"
-            )
+            known = ", ".join(FIGURES)
+            raise InputError(f"there is no figure {name!r}; there are: {known}, and {ALL}")
     return [] if ALL in names else names
 
 

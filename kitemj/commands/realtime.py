@@ -5,7 +5,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import Parser, add_picture, add_step, command, size
+from kitemj.commands.arguments import Parser, add_picture, add_step, size
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -18,31 +18,28 @@ if TYPE_CHECKING:
 STICK_DURATION = 20.0
 """s; some 35 moves of the stick."""
 
+HELP = "measure missed ticks, frames, memory, and how soon a move of the stick is flown and seen"
+EXAMPLE = "kitemj realtime --duration 600"
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "realtime",
-        "measure missed ticks, frames, memory, and how soon a move of the stick is flown and seen",
-        "kitemj realtime --duration 600",
-    )
+
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     parser.add_argument("--kite", default="sport", metavar="SET", help="sport, thesis or laksa")
     parser.add_argument("--duration", type=float, default=60.0, metavar="S", help="of the flight")
     parser.add_argument("--headless", action="store_true", help="paint, but open no window")
     add_picture(parser)
     add_step(parser)
-    parser.set_defaults(run=run)
 
 
-def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Flies, and prints what was measured."""
     from kitemj.realtime.launch import launch
 
     launched = launch()
-    from kitemj.cockpit.measuring import stick_steps, timed_flight
+    from kitemj.cockpit.fly import fly
+    from kitemj.cockpit.measuring import TimedScreen, stick_steps
     from kitemj.cockpit.screens import display_found
-    from kitemj.controls.demonstration import show_of
+    from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
     from kitemj.flight.scenario import scenario_of
     from kitemj.realtime.process import FlightProcess
@@ -60,23 +57,22 @@ def run(args: argparse.Namespace) -> int:
         physics = FlightProcess(setup._replace(record=Path(folder) / "flight.arrows"), launched)
         with Picture(parameters, *pixels) as picture:
             physics.wait()
-            screen = _screen(args, parameters, window)
-            flown, timed = timed_flight(physics, picture, screen, stick, args.duration, args.called)
+            timed = TimedScreen(_screen(args, parameters, window), stick, physics)
+            flown = fly(physics, picture, timed, args.duration, args.called)
             screen = _screen(args, parameters, window and display_found())
             steps = stick_steps(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
     print_table(_flight_table(flown, timed, f"{args.size}, {where}, everything shown, recorded"))
     print_table(_stick_table(steps))
-    return 0
 
 
 def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
-    from kitemj.cockpit.measuring import NoScreen
     from kitemj.cockpit.screens import Screen, Window
     from kitemj.controls.settings import Settings
-    from kitemj.controls.stick import PersonStick
+    from kitemj.controls.stick import PersonStick, PilotStick
+    from kitemj.pilots.manoeuvres import Hold
 
-    screen: Screen = NoScreen()
+    screen = Screen(PilotStick(Hold()))
     if window:
         person = PersonStick(Settings(), parameters)
         screen = Window(*size(args.size), "kitemj realtime", person)
@@ -105,14 +101,11 @@ def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
 def _stick_table(steps: "list[Step]") -> "Table":
     from kitemj.tables import Table
 
-    def at_most(counts: list[int], most: int) -> str:
-        return f"{sum(count <= most for count in counts)} of {len(counts)}"
-
-    ticks, frames = [step.ticks for step in steps], [step.frames for step in steps]
+    flown, shown = sum(step.ticks <= 1 for step in steps), sum(step.frames <= 1 for step in steps)
     seen = sorted(1e3 * step.seen_after for step in steps)
     rows: list[tuple[Cell, ...]] = [
-        ("flown by the first tick after it was polled", at_most(ticks, 1)),
-        ("seen in the first frame after it was polled", at_most(frames, 1)),
+        ("flown by the first tick after it was polled", f"{flown} of {len(steps)}"),
+        ("seen in the first frame after it was polled", f"{shown} of {len(steps)}"),
         ("polled to seen, median [ms]", seen[len(seen) // 2] if seen else float("nan")),
         ("polled to seen, longest [ms]", seen[-1] if seen else float("nan")),
     ]

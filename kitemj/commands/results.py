@@ -15,9 +15,8 @@ if TYPE_CHECKING:
 
 def add_results(parser: Parser) -> None:
     """``--output``, ``--save`` and ``--json``."""
-    parser.add_argument(
-        "--output", type=Path, metavar="FILE", help="numbers: .json, .csv or .parquet"
-    )
+    says = "numbers: .json, .csv or .parquet"
+    parser.add_argument("--output", type=Path, metavar="FILE", help=says)
     parser.add_argument("--save", type=Path, metavar="FIGURE", help="figure: .png, .pdf, .svg")
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
     add_json(parser)

@@ -4,28 +4,24 @@ import argparse
 import sys
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_pilot, add_step, command
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_pilot, add_step
+
+HELP = "fly a scenario with no screen and write a table"
+EXAMPLE = "kitemj simulate scenarios/steer_200m.toml --model lagrange --output flight.csv"
 
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "simulate",
-        "fly a scenario with no screen and write a table",
-        "kitemj simulate scenarios/steer_200m.toml --model lagrange --output flight.csv",
-    )
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     parser.add_argument("scenario", type=Path, help=SCENARIO)
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     parser.add_argument("--output", type=Path, required=True, metavar="FILE.csv")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE.csv if it exists")
     add_pilot(parser)
     add_step(parser)
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+    """Returns the exit status: 1 where the flight broke off."""
     from kitemj.files import check_new
     from kitemj.flight.limits import Ending, left_limits
     from kitemj.flight.motion_table import write_csv

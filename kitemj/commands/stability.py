@@ -4,39 +4,31 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import MODELS, SCENARIO, Parser, command, number
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser, number
 from kitemj.commands.results import add_results, check_results, give_results
 
 if TYPE_CHECKING:
     from kitemj.flight.scenario import Scenario
 
+HELP = "linearise about the equilibrium; where stability is lost; the cycle beyond"
+EXAMPLE = "kitemj stability scenarios/rest_200m.toml --vary aero.Cl_beta --range -0.6 0.0"
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "stability",
-        "linearise about the equilibrium; where stability is lost; the cycle beyond",
-        "kitemj stability scenarios/rest_200m.toml --vary aero.Cl_beta --range -0.6 0.0",
-    )
+
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     parser.add_argument("scenario", type=Path, help=SCENARIO)
     parser.add_argument("--model", default="lagrange", help=f"one of {', '.join(MODELS)}")
     parser.add_argument("--vary", metavar="NAME", help="find where this parameter loses stability")
     parser.add_argument("--range", nargs=2, type=float, metavar=("A", "B"), help="its range")
-    parser.add_argument(
-        "--map",
-        nargs=6,
-        metavar=("NAME", "A", "B", "NAME2", "A2", "B2"),
-        help="the growth rate over two parameters",
-    )
+    axes, says = ("NAME", "A", "B", "NAME2", "A2", "B2"), "the growth rate over two parameters"
+    parser.add_argument("--map", nargs=6, metavar=axes, help=says)
     parser.add_argument("--points", type=int, default=100, help="points of a map's side (100)")
     parser.add_argument("--cycle", action="store_true", help="the cycle that the kite flies")
     add_results(parser)
-    parser.set_defaults(run=run)
 
 
-def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Prints, writes and draws what is asked for."""
     from kitemj.errors import InputError
     from kitemj.flight.scenario import read_scenario
 
@@ -48,13 +40,16 @@ def run(args: argparse.Namespace) -> int:
     check_results(args)
     scenario = read_scenario(args.scenario)
     if args.vary:
-        return _vary(args, scenario)
-    if args.map:
-        return _map(args, scenario)
-    return _cycle(args, scenario) if args.cycle else _modes(args, scenario)
+        _vary(args, scenario)
+    elif args.map:
+        _map(args, scenario)
+    elif args.cycle:
+        _cycle(args, scenario)
+    else:
+        _modes(args, scenario)
 
 
-def _modes(args: argparse.Namespace, scenario: "Scenario") -> int:
+def _modes(args: argparse.Namespace, scenario: "Scenario") -> None:
     from kitemj.api import stability
     from kitemj.equilibria import plots, tables
 
@@ -64,10 +59,9 @@ def _modes(args: argparse.Namespace, scenario: "Scenario") -> int:
     if args.json:
         linear["stable"] = found.stable
     give_results(args, found.tables(), linear, lambda: plots.modes_figure(found), notes)
-    return 0
 
 
-def _vary(args: argparse.Namespace, scenario: "Scenario") -> int:
+def _vary(args: argparse.Namespace, scenario: "Scenario") -> None:
     from kitemj.api import stability
     from kitemj.equilibria import plots, tables
     from kitemj.equilibria.modes import crossings
@@ -79,33 +73,25 @@ def _vary(args: argparse.Namespace, scenario: "Scenario") -> int:
     here = stability(scenario, args.model)
     shown, notes = [tables.crossing_table(found)], [_note(scenario)]
     give_results(args, shown, {}, lambda: plots.modes_figure(here), notes)
-    return 0
 
 
-def _map(args: argparse.Namespace, scenario: "Scenario") -> int:
+def _map(args: argparse.Namespace, scenario: "Scenario") -> None:
     from kitemj.equilibria import plots, tables
     from kitemj.equilibria.maps import stability_map
     from kitemj.equilibria.trim import lines_held
 
     x, a, b, y, c, d = args.map
-    axes = (
-        (x, number(a, "--map A"), number(b, "--map B")),
-        (
-            y,
-            number(c, "--map A2"),
-            number(d, "--map B2"),
-        ),
-    )
+    x_axis = (x, number(a, "--map A"), number(b, "--map B"))
+    y_axis = (y, number(c, "--map A2"), number(d, "--map B2"))
     ell, delta = lines_held(scenario.parameters, scenario.programme)
-    found = stability_map(scenario.parameters, *axes, args.points, ell=ell, delta=delta)
+    found = stability_map(scenario.parameters, x_axis, y_axis, args.points, ell=ell, delta=delta)
     table, notes = tables.map_table(found), [_note(scenario)]
     if not args.json:
         notes.append(f"{len(table.rows)} points; write them with --output, draw them with --save")
     give_results(args, [table], {}, lambda: plots.map_figure(found), notes, show=False)
-    return 0
 
 
-def _cycle(args: argparse.Namespace, scenario: "Scenario") -> int:
+def _cycle(args: argparse.Namespace, scenario: "Scenario") -> None:
     from kitemj.api import cycle
     from kitemj.equilibria import plots
 
@@ -115,7 +101,6 @@ def _cycle(args: argparse.Namespace, scenario: "Scenario") -> int:
         notes.append(f"leaves the limits of validity at {found.departure}")
     period = {"period_s": found.period}
     give_results(args, found.tables(), period, lambda: plots.cycle_figure(found), notes)
-    return 0
 
 
 def _note(scenario: "Scenario") -> str:

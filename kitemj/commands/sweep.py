@@ -5,12 +5,18 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import Parser, command
+from kitemj.commands.arguments import Parser
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
     from kitemj.studies.executors import StudyExecutor
     from kitemj.studies.journal import Journal
+
+HELP = (
+    "fly a study, thousands of flights, and write a table with a row for each; "
+    "interrupted, the same command goes on where it was"
+)
+EXAMPLE = "kitemj sweep studies/wind_and_steering.toml --output study.parquet"
 
 LONG = 3600.0
 """s; a study that seems to take longer is asked about."""
@@ -18,24 +24,15 @@ MANY = 100_000
 """Flights; so is one of more."""
 
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "sweep",
-        "fly a study, thousands of flights, and write a table with a row for each; "
-        "interrupted, the same command goes on where it was",
-        "kitemj sweep studies/wind_and_steering.toml --output study.parquet",
-    )
-    parser.add_argument(
-        "study", type=Path, help="a study file (TOML), or the name of one that ships"
-    )
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
+    says = "a study file (TOML), or the name of one that ships"
+    parser.add_argument("study", type=Path, help=says)
     parser.add_argument("--output", type=Path, required=True, metavar="FILE.parquet")
     parser.add_argument("--overwrite", action="store_true", help="start anew, whatever there is")
     parser.add_argument("--processes", type=int, metavar="N", help="default: one for each core")
     parser.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="fly on a Dask cluster")
     parser.add_argument("--yes", action="store_true", help="do not ask, however long it takes")
-    parser.set_defaults(run=run)
 
 
 def run(args: argparse.Namespace) -> int:

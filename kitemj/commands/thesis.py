@@ -4,34 +4,26 @@ import argparse
 import sys
 from pathlib import Path
 
-from kitemj.commands.arguments import Parser, command
+from kitemj.commands.arguments import Parser
 from kitemj.errors import InputError
+
+HELP = "compute and draw again what the source thesis did, and write a report beside it"
+EXAMPLE = "kitemj thesis --output report"
 
 SCRIPTS = Path(__file__).parents[2] / "scripts"
 """Of the checkout: the report is no part of the installed package."""
 
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "thesis",
-        "compute and draw again what the source thesis did, and write a report beside it",
-        "kitemj thesis --output report",
-    )
-    parser.add_argument(
-        "--output", type=Path, required=True, metavar="DIR", help="a new folder; see its index.html"
-    )
-    parser.add_argument(
-        "--overwrite",
-        action="store_true",
-        help="replace the report's files in a folder that exists; others are kept",
-    )
-    parser.set_defaults(run=run)
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
+    says = "a new folder; see its index.html"
+    parser.add_argument("--output", type=Path, required=True, metavar="DIR", help=says)
+    says = "replace the report's files in a folder that exists; others are kept"
+    parser.add_argument("--overwrite", action="store_true", help=says)
 
 
-def run(args: argparse.Namespace) -> int:
-    """Writes the report; returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Writes the report."""
     if not (SCRIPTS / "thesis" / "report.py").is_file():
         raise InputError(
             "the report is made in the repository, of which this installation has no copy: "
@@ -44,19 +36,13 @@ def run(args: argparse.Namespace) -> int:
     try:
         from thesis import report
     except ModuleNotFoundError as missing:
-        raise InputError(
-            f"the report needs the package {missing.name}, which is not installed with kitemj: "
-            f"pip install {missing.name}"
-        ) from None
+        says = f"the report needs the package {missing.name}, which is not installed with kitemj"
+        raise InputError(f"{says}: pip install {missing.name}") from None
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-    columns = (
-        MofNCompleteColumn(),
-        BarColumn(),
-        TimeElapsedColumn(),
-        TextColumn("{task.description}"),
-    )
+    name = TextColumn("{task.description}")
+    columns = (MofNCompleteColumn(), BarColumn(), TimeElapsedColumn(), name)
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task("", total=len(report.SECTIONS))
 
@@ -65,4 +51,3 @@ def run(args: argparse.Namespace) -> int:
 
         sections = report.write_report(args.output, args.overwrite, report.SECTIONS, tell)
     print(f"{args.output / 'index.html'}: {len(sections)} sections")
-    return 0

@@ -3,26 +3,22 @@
 import argparse
 from pathlib import Path
 
-from kitemj.commands.arguments import MODELS, SCENARIO, Parser, command
+from kitemj.commands.arguments import MODELS, SCENARIO, Parser
 from kitemj.commands.results import add_results, check_results, give_results
 
+HELP = "find every equilibrium of a scenario's kite in its steady wind, lines held"
+EXAMPLE = "kitemj trim scenarios/steer_80m.toml"
 
-def add(commands: "argparse._SubParsersAction[Parser]") -> None:
-    """Adds the subcommand to the others."""
-    parser = command(
-        commands,
-        "trim",
-        "find every equilibrium of a scenario's kite in its steady wind, lines held",
-        "kitemj trim scenarios/steer_80m.toml",
-    )
+
+def add(parser: Parser) -> None:
+    """Adds its arguments."""
     parser.add_argument("scenario", type=Path, help=SCENARIO)
     parser.add_argument("--models", default=",".join(MODELS), metavar="A,B", help="which models")
     add_results(parser)
-    parser.set_defaults(run=run)
 
 
-def run(args: argparse.Namespace) -> int:
-    """Returns the exit status."""
+def run(args: argparse.Namespace) -> None:
+    """Prints, writes and draws what is asked for."""
     from kitemj.api import trim
     from kitemj.equilibria import plots
     from kitemj.equilibria.tables import trim_table
@@ -32,4 +28,3 @@ def run(args: argparse.Namespace) -> int:
     scenario = read_scenario(args.scenario)
     trims = [found for model in args.models.split(",") for found in trim(scenario, model)]
     give_results(args, [trim_table(trims)], {}, lambda: plots.trim_figure(trims))
-    return 0

@@ -44,9 +44,7 @@ ACTIONS = (
     Action("leave", "Esc", "leave"),
 )
 
-NAMES = frozenset(
-    [*(action.name for action in ACTIONS), *(f"toggle {name}" for name in INSTRUMENTS)]
-)
+NAMES = frozenset(each.name for each in ACTIONS) | {f"toggle {name}" for name in INSTRUMENTS}
 
 HELP = (
     "Left stick, arrow keys, A D\tsteer (Shift: fully); the knob shows which hand pulls",

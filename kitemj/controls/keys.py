@@ -4,13 +4,8 @@ import pygame
 
 from kitemj.controls.actions import INSTRUMENTS
 
-TOGGLES = dict(
-    zip(
-        (*(pygame.K_1 + i for i in range(9)), pygame.K_0, pygame.K_l),
-        (f"toggle {name}" for name in INSTRUMENTS),
-        strict=True,
-    )
-)
+DIGITS_AND_L = (*range(pygame.K_1, pygame.K_9 + 1), pygame.K_0, pygame.K_l)
+TOGGLES = {key: f"toggle {name}" for key, name in zip(DIGITS_AND_L, INSTRUMENTS, strict=True)}
 """Keys that show or hide one instrument, in their order on the screen."""
 
 KEYS = {
@@ -20,22 +15,16 @@ KEYS = {
     pygame.K_F9: "load",
     pygame.K_SPACE: "pause",
     pygame.K_PERIOD: "step",
-    pygame.K_MINUS: "slower",
-    pygame.K_KP_MINUS: "slower",
-    pygame.K_EQUALS: "faster",
-    pygame.K_PLUS: "faster",
-    pygame.K_KP_PLUS: "faster",
+    **dict.fromkeys((pygame.K_MINUS, pygame.K_KP_MINUS), "slower"),
+    **dict.fromkeys((pygame.K_EQUALS, pygame.K_PLUS, pygame.K_KP_PLUS), "faster"),
     pygame.K_t: "law",
     pygame.K_y: "two sticks",
     pygame.K_v: "view",
     pygame.K_i: "instruments",
-    pygame.K_F11: "full screen",
-    pygame.K_f: "full screen",
+    **dict.fromkeys((pygame.K_F11, pygame.K_f), "full screen"),
     pygame.K_n: "next lesson",
     pygame.K_b: "begin lesson",
-    pygame.K_F1: "help",
-    pygame.K_SLASH: "help",
-    pygame.K_QUESTION: "help",
+    **dict.fromkeys((pygame.K_F1, pygame.K_SLASH, pygame.K_QUESTION), "help"),
     pygame.K_ESCAPE: "leave",
     **TOGGLES,
 }

@@ -13,7 +13,7 @@ import pygame
 from kitemj.controls.actions import NAMES
 from kitemj.controls.stick_mapping import Deflections
 from kitemj.errors import InputError
-from kitemj.physics.checked import unknown_key
+from kitemj.physics.checked import check_keys
 
 TEXT = re.compile(r"(-?)(?:(axis|button) (\d+)|(hat) (\d+) ([xy])|(buttons) (\d+) (\d+))")
 EXAMPLES = "'axis 0', '-axis 3', 'hat 0 x', 'button 2' or 'buttons 13 14'"
@@ -131,21 +131,21 @@ class Layout(NamedTuple):
 WAYS = ("steer", "reel", "left_line", "right_line")
 
 
+def table_of(value: Any, key: str, where: str) -> Mapping[str, Any]:
+    """The value, which must be a table; else InputError, with `key` and `where`."""
+    if not isinstance(value, Mapping):
+        raise InputError(f"{key} must be a table, got {value!r} ({where})")
+    return value
+
+
 def layout_of(table: Any, section: str, where: str) -> Layout:
     """The layout of a table ``[pads.GUID]``; InputError where it is none."""
-    if not isinstance(table, Mapping):
-        raise InputError(f"{section} must be a table, got {table!r} ({where})")
-    for key in table:
-        if key not in Layout._fields:
-            raise unknown_key(key, list(Layout._fields), section, where)
-    name, buttons = table.get("name", "pad"), table.get("buttons", {})
+    check_keys(table_of(table, section, where), Layout._fields, section, where)
+    name = table.get("name", "pad")
     if not isinstance(name, str):
         raise InputError(f"{section}.name must be a text, got {name!r} ({where})")
-    if not isinstance(buttons, Mapping):
-        raise InputError(f"{section}.buttons must be a table, got {buttons!r} ({where})")
-    for action in buttons:
-        if action not in NAMES:
-            raise unknown_key(action, sorted(NAMES), f"{section}.buttons", where)
+    buttons = table_of(table.get("buttons", {}), f"{section}.buttons", where)
+    check_keys(buttons, sorted(NAMES), f"{section}.buttons", where)
     ways = {k: pad_source(table[k], f"{section}.{k}", where) for k in WAYS if k in table}
     sources = {k: pad_source(v, f"{section}.buttons.{k}", where) for k, v in buttons.items()}
     return Layout(name, **ways, buttons=sources)

@@ -41,11 +41,8 @@ def moved(rest: Reading, now: Reading, button: bool = False) -> PadSource | None
 
 
 def _away(rest: Reading, now: Reading, button: bool) -> Iterator[PadSource]:
-    pressed = [
-        PadSource("button", i)
-        for i, (before, after) in enumerate(zip(rest.buttons, now.buttons, strict=True))
-        if after > before
-    ]
+    down = zip(rest.buttons, now.buttons, strict=True)
+    pressed = [PadSource("button", i) for i, (before, after) in enumerate(down) if after > before]
     if button:
         yield from pressed
     ways = [after - before for before, after in zip(rest.axes, now.axes, strict=True)]

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from queue import Empty, SimpleQueue
+from queue import SimpleQueue
 from typing import Any
 
 import pygame
@@ -49,10 +49,9 @@ def summary(pads: list[Any], settings: Settings, path: Path) -> str:
     controller.init()
     lines = []
     for i, pad in enumerate(pads):
+        known = "SDL knows it" if controller.is_controller(i) else "no layout: run kitemj pad"
         if pad.get_guid() in settings.pads:
             known = f"layout in {path}"
-        else:
-            known = "SDL knows it" if controller.is_controller(i) else "no layout: run kitemj pad"
         lines.append(f"{pad.get_name()}  {pad.get_guid()}  {known}")
     controller.quit()
     return "\n".join(lines)
@@ -127,10 +126,9 @@ def ask(
                 raise InputError(f"the pad {pad.get_name()} is gone; nothing was written")
         if says := questions.see(clock(), Reading.of(pad)):
             tell(f"    {says}")
-        line = _line(typed)
-        if line is not None and line.strip().lower() == "d":
-            break
-        if line is not None:
+        if not typed.empty():
+            if typed.get().strip().lower() == "d":
+                break
             questions.skip()
     layout = questions.layout(pad.get_name())
     if not any(layout.ways):
@@ -164,10 +162,3 @@ def typed_lines() -> "SimpleQueue[str]":
 
     threading.Thread(target=read, daemon=True).start()
     return lines
-
-
-def _line(typed: "SimpleQueue[str]") -> str | None:
-    try:
-        return typed.get_nowait()
-    except Empty:
-        return None

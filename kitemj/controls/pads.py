@@ -4,7 +4,7 @@ A pad is read through its layout in the settings, else through SDL's own where S
 a pad that neither knows does not steer: its axis 0 may be anything.
 """
 
-from typing import Any, Protocol
+from typing import Any
 
 import pygame
 from pygame._sdl2 import controller
@@ -12,7 +12,7 @@ from pygame._sdl2 import controller
 from kitemj.controls.notices import Notices
 from kitemj.controls.pad_layout import PRESSED, Layout
 from kitemj.controls.settings import Settings
-from kitemj.controls.stick_mapping import REST, Deflections, shaped_deflection
+from kitemj.controls.stick_mapping import Deflections, shaped_deflection
 
 FULL = 32767
 STANDARD = {
@@ -55,19 +55,6 @@ def events() -> list[pygame.event.Event]:
     return found + pygame.event.get(pump=False)
 
 
-class Pad(Protocol):
-    """One pad that can steer; `instance` is SDL's number for it while it is plugged in."""
-
-    name: str
-    instance: int
-
-    def hands(self) -> Deflections:
-        """The deflections of its sticks now, as they are."""
-
-    def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
-        """The actions that an event of this pad asks for."""
-
-
 class StandardPad:
     """A pad whose layout SDL knows."""
 
@@ -84,9 +71,8 @@ class StandardPad:
 
     def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
         """The actions of `STANDARD`."""
-        if event.type != pygame.CONTROLLERBUTTONDOWN or event.button not in STANDARD:
-            return ()
-        return (STANDARD[event.button],)
+        known = event.type == pygame.CONTROLLERBUTTONDOWN and event.button in STANDARD
+        return (STANDARD[event.button],) if known else ()
 
     def _axis(self, axis: int) -> float:
         return max(-1.0, float(self._pad.get_axis(axis)) / FULL)
@@ -108,8 +94,7 @@ class LaidOutPad:
         """The actions of the layout, each when its source goes down."""
         asked = []
         for name, source in self._layout.buttons.items():
-            value = source.value_in(event)
-            if value is None:
+            if (value := source.value_in(event)) is None:
                 continue
             if value <= PRESSED:
                 self._down.discard(name)
@@ -117,6 +102,10 @@ class LaidOutPad:
                 self._down.add(name)
                 asked.append(name)
         return tuple(asked)
+
+
+Pad = StandardPad | LaidOutPad
+"""One pad that can steer; `instance` is SDL's number for it while it is plugged in."""
 
 
 class Pads:
@@ -148,12 +137,11 @@ class Pads:
         """The deflections of the steering pad, axes inverted as the settings say."""
         pad, feel, invert = self.steering, self._settings.feel, self._settings.invert
         if pad is None:
-            return REST
+            return Deflections()
         ways = (shaped_deflection(way, feel.dead_zone, feel.expo) for way in pad.hands())
-        hands = Deflections(*ways)
-        return hands._replace(
-            steer=-hands.steer if invert.steer else hands.steer,
-            reel=-hands.reel if invert.reel else hands.reel,
+        steer, reel, left, right = ways
+        return Deflections(
+            -steer if invert.steer else steer, -reel if invert.reel else reel, left, right
         )
 
     def handle(self, event: pygame.event.Event) -> tuple[str, ...]:
@@ -209,18 +197,14 @@ class Pads:
         same = sum(other.name.startswith(pad.name) for other in self._pads.values())
         if same:
             pad.name += f" ({same + 1})"
-        if self._pads:
-            self._say(f"another pad, {pad.name}: the one moved last steers")
-        else:
-            self._say(f"the pad {pad.name} steers")
+        others = f"another pad, {pad.name}: the one moved last steers"
+        self._say(others if self._pads else f"the pad {pad.name} steers")
         self._pads = {pad.instance: pad, **self._pads}
 
     def _remove(self, instance: int) -> None:
-        gone = self._pads.pop(instance, None)
         self._known.discard(instance)
         self._away.discard(instance)
-        if gone is None:
-            return  # it never steered
-        other = self.steering
-        after = f"the pad {other.name} steers" if other else CENTRED
-        self._say(f"the pad {gone.name} is gone: {after}")
+        if gone := self._pads.pop(instance, None):  # else it never steered
+            other = self.steering
+            after = f"the pad {other.name} steers" if other else CENTRED
+            self._say(f"the pad {gone.name} is gone: {after}")

@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kitemj.controls.actions import NAMES
-from kitemj.controls.settings import LAWS
+from kitemj.controls.settings import law_of
 from kitemj.controls.stick_mapping import Deflections, command_of
 from kitemj.data_files import STICKS, shipped_or_file
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.live import Command
-from kitemj.physics.checked import unknown_key
+from kitemj.physics.checked import check_keys
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
 
@@ -86,9 +86,7 @@ def read_programmed_stick(path: Path, parameters: Parameters) -> ProgrammedStick
     path = shipped_or_file(path, STICKS)
     cells = list(_cells(path))
     columns = list(cells[0][1]) if cells else []
-    for column in columns:
-        if column not in Row._fields:
-            raise unknown_key(column, list(Row._fields), "", f"{path}, first line")
+    check_keys(columns, Row._fields, "", f"{path}, first line")
     if "t" not in columns:
         raise InputError(f"{path} must have a first line of columns, t among them, and rows below")
     apart, two = {"steer", "reel"} & {*columns}, {"left", "right"} & {*columns}
@@ -107,9 +105,8 @@ def _cells(path: Path) -> Iterator[tuple[str, dict[str, str]]]:
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(
-            f"cannot read {path}: {getattr(error, 'strerror', None) or error}"
-        ) from None
+        why = getattr(error, "strerror", None) or error
+        raise InputError(f"cannot read {path}: {why}") from None
     columns: list[str] = []
     for number, line in enumerate(lines, 1):
         if not line.strip() or line.lstrip().startswith("#"):
@@ -118,12 +115,11 @@ def _cells(path: Path) -> Iterator[tuple[str, dict[str, str]]]:
         if not columns:
             columns = cells
             continue
-        if len(cells) != len(columns):
-            raise InputError(
-                f"{len(cells)} cells where the first line names {len(columns)} columns "
-                f"({path}, line {number})"
-            )
-        yield f"{path}, line {number}", dict(zip(columns, cells, strict=True))
+        where, known = f"{path}, line {number}", len(columns)
+        if len(cells) != known:
+            said = f"{len(cells)} cells where the first line names {known} columns"
+            raise InputError(f"{said} ({where})")
+        yield where, dict(zip(columns, cells, strict=True))
 
 
 def _row(texts: dict[str, str], above: Row, where: str) -> Row:
@@ -134,22 +130,13 @@ def _row(texts: dict[str, str], above: Row, where: str) -> Row:
         if text == "":
             continue
         if column == "buttons":
-            cells[column] = _buttons(text, where)
+            cells[column] = tuple(name.strip() for name in text.split(";"))
+            check_keys(cells[column], sorted(NAMES), "buttons", where)
         elif column == "law":
-            if text not in LAWS:
-                raise InputError(f"law must be one of {', '.join(LAWS)}, got {text!r} ({where})")
-            cells[column] = LAWS[text]
+            cells[column] = law_of(text, where)
         else:
             cells[column] = _number(column, text, where)
     return above._replace(**cells)
-
-
-def _buttons(text: str, where: str) -> tuple[str, ...]:
-    names = tuple(name.strip() for name in text.split(";"))
-    for name in names:
-        if name not in NAMES:
-            raise unknown_key(name, sorted(NAMES), "buttons", where)
-    return names
 
 
 def _number(column: str, text: str, where: str) -> float:

@@ -8,10 +8,10 @@ from typing import Annotated, Any, NamedTuple
 import tomlkit
 from platformdirs import user_config_path
 
-from kitemj.controls.pad_layout import Layout, layout_of
+from kitemj.controls.pad_layout import Layout, layout_of, table_of
 from kitemj.errors import InputError
 from kitemj.files import new_file
-from kitemj.physics.checked import checked, unknown_key
+from kitemj.physics.checked import check_keys, checked
 from kitemj.physics.parameter_files import read_toml
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.shaping import StickLaw
@@ -77,27 +77,22 @@ def settings_or_defaults(path: Path | None = None) -> tuple[Settings, str]:
 
 def settings_of(tables: Mapping[str, Any], where: str) -> Settings:
     """The settings of a file's tables; `where` names the file in messages."""
-    known = [*Feel._fields, "law", "invert", "pads"]
-    for key in tables:
-        if key not in known:
-            raise unknown_key(key, known, "", where)
-    law = tables.get("law", "angle")
-    if not isinstance(law, str) or law not in LAWS:
-        raise InputError(f"law must be one of {', '.join(LAWS)}, got {law!r} ({where})")
-    pads = _table(tables, "pads", where)
+    check_keys(tables, [*Feel._fields, "law", "invert", "pads"], "", where)
+    law = law_of(tables.get("law", "angle"), where)
+    pads = table_of(tables.get("pads", {}), "pads", where)
     return Settings(
         checked(Feel, {key: tables[key] for key in Feel._fields if key in tables}, "", where),
-        LAWS[law],
-        checked(Invert, _table(tables, "invert", where), "invert", where),
+        law,
+        checked(Invert, table_of(tables.get("invert", {}), "invert", where), "invert", where),
         {guid: layout_of(table, f"pads.{guid}", where) for guid, table in pads.items()},
     )
 
 
-def _table(tables: Mapping[str, Any], key: str, where: str) -> Mapping[str, Any]:
-    table = tables.get(key, {})
-    if not isinstance(table, Mapping):
-        raise InputError(f"{key} must be a table, got {table!r} ({where})")
-    return table
+def law_of(name: Any, where: str) -> StickLaw:
+    """The law of this name; InputError, which says `where` it stands, for any other."""
+    if not isinstance(name, str) or name not in LAWS:
+        raise InputError(f"law must be one of {', '.join(LAWS)}, got {name!r} ({where})")
+    return LAWS[name]
 
 
 def check_writable(path: Path, overwrite: bool) -> None:

@@ -6,16 +6,14 @@ import pygame
 
 from kitemj.controls.notices import Notices
 from kitemj.controls.pads import Pads
-from kitemj.controls.programmed import ProgrammedStick
+from kitemj.controls.programmed import show
 from kitemj.controls.settings import Settings
-from kitemj.controls.stick_mapping import REST, Deflections, command_of
+from kitemj.controls.stick_mapping import Deflections, command_of
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
-from kitemj.pilots.manoeuvres import Pilot
-
-__all__ = ["PersonStick", "PilotStick", "ProgrammedStick", "Stick"]
+from kitemj.pilots.manoeuvres import Eight, Pilot
 
 ASKS = ("an angle δ, to which the hands go", "a rate of δ", "an acceleration of δ")
 """What each law means, in words."""
@@ -42,6 +40,15 @@ class PilotStick:
 
     def __init__(self, pilot: Pilot) -> None:
         self.command = pilot.command
+
+
+def show_of(parameters: Parameters) -> Stick:
+    """A pilot of figures of eight for a kite that turns, else a programmed stick.
+
+    A kite turns where its nose follows its motion: C_nβ > 0.
+    """
+    turns = getattr(parameters.aero, "Cn_beta", 0.0) > 0
+    return PilotStick(Eight()) if turns else show(parameters)
 
 
 class PersonStick:
@@ -81,13 +88,11 @@ class PersonStick:
 
     def handle(self, event: pygame.event.Event) -> tuple[str, ...]:
         """Takes in an event of pads or mouse; returns the actions that it asks for."""
-        if event.type == pygame.WINDOWFOCUSLOST or (
-            event.type == pygame.MOUSEBUTTONUP and event.button == 1
-        ):
+        left = getattr(event, "button", 0) == 1  # where the event is of the mouse
+        dragged = event.type == pygame.MOUSEMOTION and event.buttons[0]
+        if event.type == pygame.WINDOWFOCUSLOST or (left and event.type == pygame.MOUSEBUTTONUP):
             self._mouse = None
-        elif (event.type == pygame.MOUSEBUTTONDOWN and event.button == 1) or (
-            event.type == pygame.MOUSEMOTION and event.buttons[0]
-        ):
+        elif dragged or (left and event.type == pygame.MOUSEBUTTONDOWN):
             middle = pygame.display.get_window_size()[0] / 2
             self._mouse = max(-1.0, min(1.0, (event.pos[0] - middle) / middle * 2))
         return self._pads.handle(event)
@@ -104,11 +109,8 @@ class PersonStick:
 
     def command(self, motion: Motion) -> Command:
         """The command of keys, mouse or pad now."""
-        mouse = (
-            REST
-            if self._mouse is None
-            else Deflections(self._mouse, 0.0, -self._mouse, self._mouse)
-        )
+        at = self._mouse or 0.0
+        mouse = Deflections(at, 0.0, -at, at)
         ways = zip(_held_keys(), mouse, self._pads.hands(), strict=True)
         hands = Deflections(*(keys or mouse or pad for keys, mouse, pad in ways))
         return command_of(hands, self._parameters, self.law, self.two_sticks)

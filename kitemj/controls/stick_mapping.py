@@ -22,9 +22,6 @@ class Deflections(NamedTuple):
     right: float = 0.0
 
 
-REST = Deflections()
-
-
 def shaped_deflection(deflection: float, dead_zone: float, expo: float) -> float:
     """The deflection after dead zone and curve: odd in it, 0 within the dead zone, ±1 at the ends.
 

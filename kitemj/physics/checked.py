@@ -1,6 +1,6 @@
 """A table of a TOML file made into a checked ``NamedTuple``, or one sentence for people."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from functools import cache
 from math import radians
@@ -63,13 +63,20 @@ def _radians(value: Any) -> Any:
     return radians(value) if number else value
 
 
-def unknown_key(name: str, known: list[str], section: str, source: str) -> InputError:
+def unknown_key(name: str, known: Sequence[str], section: str, source: str) -> InputError:
     """The error for a key that is not in `known`."""
     close = get_close_matches(name, known, 1)
     hint = f"did you mean {close[0]!r}? " if close else ""
     return InputError(
         f"{_dotted(section, name)} is not known: {hint}there are: {', '.join(known)} ({source})"
     )
+
+
+def check_keys(keys: Iterable[str], known: Sequence[str], section: str, source: str) -> None:
+    """Raises the InputError of `unknown_key` for the first of `keys` that is not `known`."""
+    for key in keys:
+        if key not in known:
+            raise unknown_key(key, known, section, source)
 
 
 def _dotted(section: str, name: str) -> str:

@@ -5,12 +5,12 @@ import pygame
 import pytest
 
 from kitemj.cockpit.measuring import (
-    NoScreen,
     PointerScreen,
     Step,
     SteppingStick,
     StickTimingProcess,
 )
+from kitemj.cockpit.screens import Screen
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.readings import Readings
 from kitemj.flight.live import TICK, Command, SteeredFlight
@@ -44,7 +44,7 @@ class Mute:
 def test_a_move_of_the_stick_is_seen_in_the_frame_that_shows_it(size):
     stick = SteppingStick()
     stick.steps.append(Step(polled=0.0, side=1.0))
-    screen = PointerScreen(NoScreen(), stick, Mute(), Instruments(PARAMETERS, *size))
+    screen = PointerScreen(Screen(stick), stick, Mute(), Instruments(PARAMETERS, *size))
     for deflection in (0.0, -0.2, -0.2, 0.2, 0.2):
         screen.show(frame_with(deflection, size), 0.0)
     step = stick.steps[0]
