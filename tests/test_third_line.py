@@ -29,6 +29,9 @@ from kitemj.studies.study import study_of
 
 LIMP = 2.5
 """N in the third line, whatever flies."""
+O_E = Vector(0.0, 0.0, 0.0)
+SAGGING = Vector(-15.0, 0.0, -2.0)
+"""m, E; far from the straight line to the kite."""
 SAME = 1e-9
 """m; tracks are made of numbers with all their digits."""
 
@@ -141,16 +144,16 @@ def test_a_study_of_it_has_the_third_tension(tables):
     assert "tension_middle_min_N" in result_columns(study.rig)
 
 
-def test_a_picture_has_the_third_line_and_a_row_for_it(recording):
-    """A strip around the line, and the panel of lines, differ from those of a flight on two."""
+def test_a_picture_has_the_third_line_through_its_points(recording):
+    """Halfway to the point in its middle, where a straight line or an arrow would not be."""
     motion = Track(recording).motion(10.0)
     third = motion.lines[2]
-    far = times(1.2, third.points[1])
-    elsewhere = third._replace(points=(third.points[0], far, third.points[-1]))
+    ways = (O_E, third.points[-1]), (O_E, SAGGING, third.points[-1])
+    flights = [
+        motion._replace(lines=(*motion.lines[:2], third._replace(points=way))) for way in ways
+    ]
     with Picture(recording.parameters) as picture:
-        one = picture.paint(motion, None, Readings())
-        other = picture.paint(
-            motion._replace(lines=(*motion.lines[:2], elsewhere)), None, Readings()
-        )
-        x, y = (round(at) for at in picture.pixel(third.points[1]))
-    assert (one[y - 3 : y + 4, x - 3 : x + 4] != other[y - 3 : y + 4, x - 3 : x + 4]).any()
+        straight, bent = (picture.paint(each, None, Readings(), "side") for each in flights)
+        x, y = (round(at) for at in picture.pixel(times(0.5, SAGGING)))
+    around = slice(y - 2, y + 3), slice(x - 2, x + 3)
+    assert (straight[around] != bent[around]).any()
