@@ -131,7 +131,7 @@ far = (found.height - 30.0) / 30.0
 downwind = found.height / tan(found.elevation)
 speed = 5.0 * (1 + 0.5 * exp(-far * far)) * (1 + 0.01 * downwind)
 level = equilibrium({"speed": speed, "azimuth_deg": 20.0})
-scalar = trimmed(parameter_set("sport", {"wind": WIND}))[:4].tolist()
+scalar = trimmed(parameter_set("sport", {"wind": WIND}))[0][:4].tolist()
 print(json.dumps([found.q, scalar, level.q, refused(veer=0.01), refused(pulse=1.0)]))
 """
 POINTS = """
