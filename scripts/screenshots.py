@@ -153,7 +153,7 @@ def first_flight(folder: Path) -> None:
                 delta_command=wish,
                 stick="keys",
                 traces=traces,
-                lesson=course.trimmed,
+                lesson=course.status,
                 touch=ground.touch,
             )
             frame = picture.paint(result.motion, result.reference, readings)
