@@ -1,0 +1,118 @@
+"""One run of the program under attack, in a process of its own, and the harm that it did."""
+
+import multiprocessing
+import os
+import re
+import resource
+import signal
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+HARMS = ("traceback", "hang", "not finite", "file left", "file lost", "orphan", "wrong")
+"""What may go wrong: `wrong` is a damage taken as sound, or a status that says something else."""
+MEMORY = 8 << 30
+"""Bytes that a run may ask for, so that the system never has to choose whom to kill."""
+SECONDS = 60.0
+"""How long a run may take before it counts as hung: 100 times what a short flight takes."""
+UNFORESEEN = 70
+"""The status of the last resort; the program must never need it."""
+
+
+class Attack(NamedTuple):
+    """One hostile act: what, for people; `harm` does it in an empty folder and returns a harm.
+
+    "" is none; otherwise one of `HARMS`, then, after ": ", the detail.
+    """
+
+    what: str
+    harm: Callable[[Path], str]
+
+
+class Run(NamedTuple):
+    """How a run ended: exit status (negative: the signal), what it wrote, the processes left."""
+
+    status: int
+    out: str
+    error: str
+    hung: bool
+    left: list[int]
+
+
+def run(words: Sequence[str], folder: Path, seconds: float = SECONDS) -> Run:
+    """The program's command line, with `folder` as the current one and for temporary files."""
+    out, error = folder.with_name(f"{folder.name}.out"), folder.with_name(f"{folder.name}.error")
+    process = _context().Process(target=_victim, args=(list(words), folder, out, error))
+    process.start()
+    process.join(seconds)
+    hung = process.exitcode is None
+    assert process.pid is not None
+    if hung:
+        os.kill(process.pid, signal.SIGKILL)
+        process.join()
+    left = session(process.pid)
+    for pid in left:
+        os.kill(pid, signal.SIGKILL)
+    said, cried = (path.read_text("utf-8", "replace") for path in (out, error))
+    out.unlink()
+    error.unlink()
+    return Run(process.exitcode or 0, said, cried, hung, left)
+
+
+def harm_of(run: Run, allowed: Sequence[int] = (0, 1, 2)) -> str:
+    """The harm that a run shows by itself; numbers are looked at where it ended with 0."""
+    if run.hung:
+        return "hang"
+    if "Traceback" in run.error or "Traceback" in run.out or run.status == UNFORESEEN:
+        return f"traceback: {run.error.strip().splitlines()[-1] if run.error.strip() else ''}"
+    if run.status not in allowed:
+        return f"wrong: status {run.status}, {run.error.strip()[-200:]}"
+    if run.status == 0 and (found := re.search(r"(?<!\w)(nan|-?inf)(?!\w)", run.out, re.I)):
+        return f"not finite: {found[0]}"
+    return "orphan" if run.left else ""
+
+
+def left_over(folder: Path, expected: Sequence[str]) -> str:
+    """A harm where `folder` holds other files than `expected`, by name."""
+    names = {path.name for path in folder.iterdir()}
+    if more := sorted(names - set(expected)):
+        return f"file left: {', '.join(more)}"
+    if fewer := sorted(set(expected) - names):
+        return f"file lost: {', '.join(fewer)}"
+    return ""
+
+
+def session(leader: int) -> list[int]:
+    """The processes that still live in the session of `leader`."""
+    found = []
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            state, _, _, of = stat.read_text().rpartition(")")[2].split()[:4]
+        except OSError:  # gone meanwhile
+            continue
+        if int(of) == leader and state not in "ZX":
+            found.append(int(stat.parent.name))
+    return found
+
+
+def _context() -> multiprocessing.context.ForkServerContext:
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["attacks.warm"])
+    return context
+
+
+def _victim(words: list[str], folder: Path, out: Path, error: Path) -> None:
+    os.setsid()
+    for path, stream in ((out, 1), (error, 2)):
+        os.dup2(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), stream)
+    sys.stdout = open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
+    sys.stderr = open(2, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    os.environ["TMPDIR"] = str(folder)
+    os.chdir(folder)
+    from kitemj.cli import main
+
+    status = main(words)
+    sys.stdout.flush()
+    os._exit(status)
