@@ -149,7 +149,8 @@ def from_json(text: bytes, source: str) -> Header:
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(str(each) for each in first["loc"])
-        raise InputError(f"{source} has a damaged header: {field}: {first['msg']}") from None
+        got = "" if first["type"] == "missing" else f", got {first['input']!r:.60}"
+        raise InputError(f"{source} has a damaged header: {field}: {first['msg']}{got}") from None
     for section in Parameters._fields:
         named = header.parameters.get(section, {}).get(NAMED_BY.get(section, ""), "")
         if section not in header.parameters or not isinstance(named, str):
