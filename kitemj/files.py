@@ -47,7 +47,7 @@ def _check_new(path: Path, overwrite: bool) -> None:
 
 def is_stream(path: Path) -> bool:
     """Whether what is written to `path` goes on from there: a pipe, a terminal, /dev/null."""
-    if OPEN_STREAMS.fullmatch(os.path.abspath(path)):
+    if OPEN_STREAMS.fullmatch(str(path.absolute())):
         return True
     try:
         mode = path.stat().st_mode
@@ -104,8 +104,8 @@ class NewFile:
         except OSError as error:
             if error.filename not in (None, str(self.part)):
                 raise
-            reason = error.strerror or str(error)
-            raise OSError(error.errno or errno.EIO, reason, str(self.path)) from error
+            known = error.errno or errno.EIO
+            raise OSError(known, os.strerror(known), str(self.path)) from error
 
 
 @contextmanager

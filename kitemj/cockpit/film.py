@@ -36,22 +36,28 @@ class Film(Closing):
         """
         self.path, self.width, self.height, self.frames = Path(path), width, height, 0
         check_film(self.path, width, height, rate)
-        self._file = NewFile(self.path, overwrite)
-        part = str(self._file.part)
         self._graph: Graph | None = None
+        self._file = NewFile(self.path, overwrite)
+        try:
+            self._begin(str(self._file.part), rate)
+        except BaseException:
+            self._file.discard()
+            raise
+        self._stream.width, self._stream.height = width, height
+        self._open = True
+
+    def _begin(self, part: str, rate: int) -> None:
         if self.path.suffix.lower() == ".gif":
             self._container = av.open(part, "w", format="gif")
             self._stream: Any = self._container.add_stream("gif", rate=rate)
             self._stream.pix_fmt = "pal8"
-            self._graph = _palettes(width, height, rate)
+            self._graph = _palettes(self.width, self.height, rate)
         else:
             options = dict(CONTAINER)
             self._container = av.open(part, "w", format="mp4", container_options=options)
             self._stream = self._container.add_stream("libx264", rate=rate, options=dict(OPTIONS))
             self._stream.pix_fmt = "yuv420p"
             self._stream.thread_type = "AUTO"
-        self._stream.width, self._stream.height = width, height
-        self._open = True
 
     def add(self, frame: NDArray[np.uint8]) -> None:
         """Appends one frame (height, width, 3), RGB, row 0 on top."""
