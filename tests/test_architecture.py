@@ -31,6 +31,7 @@ GROUND = (
     "data_files",
     "errors",
     "files",
+    "locks",
     "mujoco_import",
     "progress_bar",
     "registry",
