@@ -54,7 +54,7 @@ def let_go() -> None:
         try:
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         except (OSError, ValueError):
-            sys.stdout = None  # type: ignore[assignment]
+            sys.stdout = None
 
 
 def _spelling(error: UnicodeError) -> tuple[str, int]:

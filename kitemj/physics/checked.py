@@ -1,6 +1,6 @@
 """A table of a TOML file made into a checked ``NamedTuple``, or one sentence for people."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from functools import cache
 from math import radians
@@ -31,31 +31,23 @@ def checked(kind: type[T], table: Mapping[str, Any], section: str, source: str) 
 
 def _check_sensible(made: Any, section: str, source: str) -> None:
     """Raises InputError for the first number that is absurd, in tables within too."""
-    for name, quantity in _quantities(type(made)).items():
+    for name, quantity in _quantities(made.__class__).items():
         value, field = getattr(made, name), _dotted(section, name)
         if hasattr(value, "_fields"):
             _check_sensible(value, field, source)
         elif quantity:
-            least, most = quantity.sensible
-            for number in filter(_is_number, _numbers_in(value)):
+            (least, most), unit = quantity.sensible, f" {quantity.unit}".rstrip()
+            for number in _numbers_in(value):
                 if not least <= abs(number) <= most:
-                    known = (
-                        f"{least:g} to {most:g}" if quantity.gt == 0 else f"-{most:g} to {most:g}"
-                    )
-                    raise InputError(
-                        f"{field} must be {known} {quantity.unit}".rstrip()
-                        + f", got {number!r} {quantity.unit}".rstrip()
-                        + f": {quantity.meaning} ({source}{f', [{section}]' if section else ''})"
-                    )
+                    known = f"{least if quantity.gt == 0 else -most:g} to {most:g}{unit}"
+                    raise InputError(f"{field} must be {known}, got {number!r}{unit} ({source})")
 
 
-def _numbers_in(value: Any) -> Iterator[Any]:
-    """The value, or those in it."""
+def _numbers_in(value: Any) -> list[float]:
+    """The value if it is a number, or those in it."""
     if isinstance(value, tuple):
-        for each in value:
-            yield from _numbers_in(each)
-    else:
-        yield value
+        return [number for each in value for number in _numbers_in(each)]
+    return [value] if _is_number(value) else []
 
 
 def _is_number(value: Any) -> bool:
@@ -123,7 +115,7 @@ def quantity_of(kind: type, name: str) -> Quantity | None:
 
 
 @cache
-def _quantities(kind: type) -> Mapping[str, Quantity | None]:
+def _quantities(kind: Hashable) -> Mapping[str, Quantity | None]:
     """By the names of the fields what their annotations say."""
     extras = {
         name: get_args(hint)[1:] if get_origin(hint) is Annotated else ()
