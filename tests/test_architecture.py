@@ -28,6 +28,7 @@ ROOMS = (
 
 GROUND = (
     "closing",
+    "console",
     "data_files",
     "errors",
     "files",
@@ -38,7 +39,7 @@ GROUND = (
     "tables",
 )
 """Root files below all rooms; they import one another only."""
-TOP = ("__init__", "__main__", "api", "cli")
+TOP = ("__init__", "__main__", "api", "cli", "last_resort")
 """Root files above all rooms, which no room imports; but the commands call the api."""
 
 FORMULATIONS = {
