@@ -5,6 +5,7 @@ from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Any, NamedTuple
 
+from kitemj.physics.code_folder import code_folder
 from kitemj.registry import own_modules, use
 
 
@@ -18,6 +19,7 @@ class Launched(NamedTuple):
 
 def launch() -> Launched:
     """A new one; it ends by itself when this program does, or forgets it."""
+    code_folder()  # settled here, not by both
     context = get_context("spawn")
     link, theirs = context.Pipe()
     told = context.Queue()
