@@ -66,7 +66,7 @@ def run(args: argparse.Namespace) -> None:
 
     launched = launch()
     from kitemj.cockpit.fly import fly
-    from kitemj.cockpit.screens import FilmScreen, Screen, display_found
+    from kitemj.cockpit.screens import FilmScreen, Screen, display_found, fitting
     from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
     from kitemj.files import check_new
@@ -84,6 +84,8 @@ def run(args: argparse.Namespace) -> None:
         duration = duration or SHOW_DURATION
         why = "as asked, no window" if args.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
+    else:
+        pixels = fitting(pixels)
     course = None if path else _course(args)
     if course:  # its own start is the second one
         setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
