@@ -10,6 +10,7 @@ from importlib.metadata import version
 from kitemj.commands.arguments import Parser, add_command
 from kitemj.errors import FlightError, InputError, NoGraphics
 from kitemj.registry import use
+from kitemj.signals import orderly
 
 COMMANDS = (
     *("fly", "simulate", "compare", "film", "replay", "info", "plot", "limits"),
@@ -17,6 +18,7 @@ COMMANDS = (
 )
 
 
+@orderly
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line; returns the exit status: 0 done, 1 a no, 2 bad input."""
     called = time.perf_counter()
@@ -38,9 +40,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:  # whoever read what we print has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
-    except KeyboardInterrupt:
-        print("kitemj: interrupted; nothing was written", file=sys.stderr)
-        return 130
 
 
 def _parser() -> Parser:

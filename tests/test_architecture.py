@@ -27,6 +27,7 @@ ROOMS = (
 """Each room with those right below it; it may import these and all that they may."""
 
 GROUND = (
+    "child",
     "closing",
     "data_files",
     "errors",
@@ -34,6 +35,7 @@ GROUND = (
     "mujoco_import",
     "progress_bar",
     "registry",
+    "signals",
     "tables",
 )
 """Root files below all rooms; they import one another only."""
