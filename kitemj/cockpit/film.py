@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from kitemj.closing import Closing
 from kitemj.errors import InputError
 from kitemj.files import NewFile
+from kitemj.signals import held
 
 OPTIONS = {"preset": "veryfast", "crf": "20"}
 CONTAINER = {"movflags": "+faststart"}  # the index in front: plays while it loads
@@ -71,12 +72,13 @@ class Film(Closing):
                 f"{self.path}: ({self.height}, {self.width}, 3), uint8, is needed"
             )
         picture: Any = av.VideoFrame.from_ndarray(frame, format="rgb24")
-        if self._graph:
-            picture.pts = self.frames
-            self._graph.push(picture)
-            picture = self._graph.pull()
-        self._write(picture)
-        self.frames += 1
+        with held():  # a part of it that is lost would spoil the frames after it
+            if self._graph:
+                picture.pts = self.frames
+                self._graph.push(picture)
+                picture = self._graph.pull()
+            self._write(picture)
+            self.frames += 1
 
     def close(self) -> None:
         """Completes the file and gives it its name; may be called twice."""

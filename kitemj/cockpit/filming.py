@@ -1,6 +1,7 @@
 """Films and still pictures of flights, made without a screen as fast as it goes."""
 
 from collections.abc import Sequence
+from contextlib import closing
 from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
@@ -11,7 +12,7 @@ from kitemj.cockpit.film import Film, check_film
 from kitemj.cockpit.film_sources import FilmSource
 from kitemj.cockpit.parallel_painting import Painter, Stage, painted, workers_for
 from kitemj.cockpit.screens import FRAME_RATE
-from kitemj.errors import InputError
+from kitemj.errors import InputError, NoGraphics
 from kitemj.files import check_new, new_file
 from kitemj.progress_bar import with_progress
 
@@ -57,7 +58,7 @@ def film(
     end: s of the flight, where it ends; None: with the longest flight
     overwrite: whether a file at `path` is replaced
 
-    Ctrl-C leaves a complete film of what was painted. Raises InputError or NoGraphics.
+    An interrupt leaves a complete film of what was painted. Raises InputError or NoGraphics.
     """
     longest = max(source.duration for source in sources)
     end = longest if end is None else min(end, longest)
@@ -73,14 +74,18 @@ def film(
     times = [start + i * style.speed / style.rate for i in range(count)]
     shots = ([source.shot(t, style.speed) for source in sources] for t in times)
     frames = painted(_stage(sources, style), shots, workers_for(count))
-    with Film(path, *style.size, style.rate, overwrite) as written:
-        try:
+    written = Film(path, *style.size, style.rate, overwrite)
+    try:
+        with written, closing(frames):
             for frame in with_progress(f"filming {path}", frames, count):
                 written.add(frame)
-        except KeyboardInterrupt:
-            return f"interrupted: {path} has the first {written.frames} of {count} frames"
-        finally:
-            frames.close()
+    except (KeyboardInterrupt, NoGraphics) as reason:
+        if not written.frames:
+            raise
+        kept = f"{path} has the first {written.frames} of {count} frames"
+        if isinstance(reason, NoGraphics):
+            raise NoGraphics(f"{reason}; {kept}") from None
+        return f"interrupted: {kept}"
     endings = "; ".join(source.ending for source in sources)
     return f"{path}: {written.frames} frames; {endings}"
 
