@@ -1,26 +1,29 @@
 """The Lagrangian model in flight: fixed steps beside a live flight, adaptive for a trajectory."""
 
-from math import ceil
+from math import ceil, cos, degrees, inf, isfinite
 from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
+from kitemj.dynamics.adaptive import Room, carried, end_law, room_for, system_law
 from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
+from kitemj.dynamics.ground import CLOSE, above, down_to_ground
 from kitemj.dynamics.lagrange import accelerations, body, spatial
-from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines
+from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines, told
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.rig import TWO_LINES
+from kitemj.physics.rig import TWO_LINES, Rig
 from kitemj.physics.steering import Control, Programme, control
 
 RTOL, TOLERANCE = 1e-12, 1e-13
 """Relative and absolute error of a step, of q [rad] and q̇ [rad/s]: three orders below what
 0.1 µm on a 200 m line asks for."""
+EDGE = 0.1
+"""cos γ; nearer to 90° numbers are lost to the coordinates, if they are lost."""
 
 
 @compiled
@@ -118,6 +121,20 @@ def rates(system: LagrangeSystem, t: float, x: Array, out: Array) -> None:
     out[4], out[5], out[6], out[7] = a.phi, a.gamma, a.eta, a.theta
 
 
+@end_law.of(LagrangeSystem)
+@compiled
+def room_below(system: LagrangeSystem, x: Array) -> float:
+    """Such a flight has no end of its own."""
+    return inf
+
+
+@compiled
+def height(system: LagrangeSystem, t: float, x: Array) -> float:
+    """How far [m] the hull is above the ground at time `t` [s] and x = (q, q̇)."""
+    q, v = state_of(x)
+    return above(system.parameters, body(system.parameters, q, v, control(system.programme, t)))
+
+
 @carry_law.of(LagrangeFlight)
 @compiled
 def carry(flight: LagrangeFlight, t: float, end: float) -> float:
@@ -139,7 +156,8 @@ class LagrangeKite:
     `step` [s] is the longest step of `advance`; `trajectory` and `batch` choose their own.
     """
 
-    name, rigs = "lagrange", (TWO_LINES,)
+    name = "lagrange"
+    rigs: tuple[Rig, ...] = (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
         self.parameters, self.step, self.t = parameters, step, 0.0
@@ -154,15 +172,20 @@ class LagrangeKite:
         return instant_at(self.parameters, control, t, state)
 
     def advance(self, programme: Programme, duration: float) -> None:
-        """Flies on for `duration` [s] in equal Runge-Kutta steps."""
-        steps = max(1, ceil(duration / self.step - 1e-9))
+        """Flies on for `duration` [s] in equal Runge-Kutta steps.
+
+        Raises FlightError where the coordinates end (γ = ±90°) or the numbers leave the finite.
+        """
+        steps, before = max(1, ceil(duration / self.step - 1e-9)), self.state
         h = duration / steps
-        self.state = flown(self.parameters, programme, self.t, self.state, steps, h)
+        self.state = flown(self.parameters, programme, self.t, before, steps, h)
         self.t += duration
+        if not isfinite(sum(self.state.q_dot)):
+            raise FlightError(self.name, self.t, _why_not(before), [])
 
     def motion(self, programme: Programme) -> Motion:
-        """The present instant."""
-        return motion_at(self.parameters, programme, self.t, self.state)
+        """The present instant; raises FlightError where it is not finite."""
+        return told(self.name, motion_at(self.parameters, programme, self.t, self.state))
 
     def snapshot(self) -> Snapshot:
         """q and q̇."""
@@ -173,7 +196,7 @@ class LagrangeKite:
         self.t, self.state = kept.t, State(Angles(*kept.numbers[:4]), Angles(*kept.numbers[4:]))
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], by scipy's DOP853: an integrator of others.
+        """The motion at each of `times` [s] down to the ground, by scipy's DOP853: not ours.
 
         Raises FlightError, with what was flown until then, where the equations become
         singular (γ = ±90°) or diverge.
@@ -181,23 +204,39 @@ class LagrangeKite:
         from scipy.integrate import solve_ivp
 
         system, x = LagrangeSystem(self.parameters, programme), self._x()
+        if height(system, self.t, x) < 0.0:
+            return [self.motion(programme)]
 
         def derivative(t: float, x: Array) -> Array:
             out = np.empty(8)
             rates(system, t, x, out)
             return out
 
+        t_last, x_last = self.t, x
+
+        def touch(t: float, x: Array) -> float:  # asked at the end of each step
+            nonlocal t_last, x_last
+            t_last, x_last = t, x
+            return height(system, t, x) + CLOSE / 2
+
+        touch.terminal, touch.direction = True, -1  # type: ignore[attr-defined]
         if not np.isfinite(derivative(self.t, x)).all():  # scipy would never return
-            raise FlightError(self.name, self.t, "the motion is not a number", [])
+            raise FlightError(self.name, self.t, _why_not(self.state), [])
         span = self.t, times[-1]
-        found = solve_ivp(derivative, span, x, "DOP853", times, rtol=RTOL, atol=TOLERANCE)
-        motions: list[Motion] = []
-        for self.t, x in zip(found.t.tolist(), found.y.T, strict=True):
-            self.state = state_of(np.ascontiguousarray(x))
-            motions.append(self.motion(programme))
-        if not found.success:
-            raise FlightError(self.name, self.t, found.message, motions)
-        return motions
+        found = solve_ivp(
+            derivative, span, x, "DOP853", times, events=touch, rtol=RTOL, atol=TOLERANCE
+        )
+        rows = [(t, x) for t, x in zip(found.t, found.y.T, strict=True) if t > self.t]
+        if found.t_events and found.y_events and found.t_events[0].size:
+            rows.append((found.t_events[0][0], found.y_events[0][0]))
+
+        def fly(end: float) -> None:
+            if not rows:
+                raise FlightError(self.name, t_last, _why_not(state_of(x_last)), [])
+            t, x = rows.pop(0)
+            self.t, self.state = float(t), state_of(np.ascontiguousarray(x))
+
+        return down_to_ground(self, fly, programme, times)
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `rows_at`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
@@ -208,3 +247,13 @@ class LagrangeKite:
     def _x(self) -> Array:
         """(q, q̇) in a row, (8,)."""
         return np.array([*self.state.q, *self.state.q_dot])
+
+
+def _why_not(last: State) -> str:
+    """Why a flight cannot go on from its `last` state, in words."""
+    if abs(cos(last.q.gamma)) > EDGE:
+        return "the motion is not a number, or too quick for any step"
+    return (
+        f"γ = {degrees(last.q.gamma):.2f}° is too near 90°, where φ and η turn about one axis: "
+        f"these coordinates would keep less than half of their digits; ask newton-euler or mujoco"
+    )
