@@ -50,8 +50,8 @@ def _right_side(system: Any, t: float, x: Array, out: Array) -> None:
     raise NotImplementedError
 
 
-def _room_below(system: Any, x: Array) -> float:
-    """How far [m] `system` at `x` (n,) is above where its flight ends; inf: it ends nowhere."""
+def _room_below(system: Any, t: float, x: Array) -> float:
+    """How far [m] `system` at `t` [s], `x` (n,) is above where its flight ends; inf: nowhere."""
     raise NotImplementedError
 
 
@@ -76,7 +76,7 @@ def carried(system: Any, room: Room, t: float, end: float, tolerance: float) -> 
     right-hand side; and where the flight ends: no more than `CLOSE` beyond `room_below` = 0.
     """
     x, rates, stage, state = room
-    n, over, down, under = len(x), room_below(system, x), inf, 0.0
+    n, over, down, under = len(x), room_below(system, t, x), inf, 0.0
     if over < 0.0:
         return t
     while t < end:
@@ -99,7 +99,7 @@ def carried(system: Any, room: Room, t: float, end: float, tolerance: float) -> 
             factor = SMALLEST
         else:
             factor = min(LARGEST, max(SMALLEST, SAFETY * max(error, 1e-30) ** -0.125))
-        below = room_below(system, stage) if error <= 1.0 else 0.0
+        below = room_below(system, t + h, stage) if error <= 1.0 else 0.0
         if below < -CLOSE and h > 1e-12:
             down, under = t + h, below
         elif error <= 1.0:

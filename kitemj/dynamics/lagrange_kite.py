@@ -8,7 +8,7 @@ import numpy as np
 from kitemj.dynamics.adaptive import Room, carried, end_law, room_for, system_law
 from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
-from kitemj.dynamics.ground import CLOSE, above, down_to_ground
+from kitemj.dynamics.ground import above, down_to_ground
 from kitemj.dynamics.lagrange import accelerations, body, spatial
 from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines, told
 from kitemj.errors import FlightError
@@ -19,9 +19,9 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import TWO_LINES, Rig
 from kitemj.physics.steering import Control, Programme, control
 
-RTOL, TOLERANCE = 1e-12, 1e-13
-"""Relative and absolute error of a step, of q [rad] and q̇ [rad/s]: three orders below what
-0.1 µm on a 200 m line asks for."""
+TOLERANCE = 1e-13
+"""Of q [rad] and q̇ [rad/s], for one adaptive step: three orders below what 0.1 µm on a 200 m
+line asks for."""
 EDGE = 0.1
 """cos γ; nearer to 90° numbers are lost to the coordinates, if they are lost."""
 
@@ -91,10 +91,11 @@ def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> In
 
 
 class LagrangeSystem(NamedTuple):
-    """What the right-hand side depends on."""
+    """What the right-hand side depends on, and whether the flight ends on the ground."""
 
     parameters: Parameters
     programme: Programme
+    lands: bool = False
 
 
 class LagrangeFlight(NamedTuple):
@@ -123,16 +124,12 @@ def rates(system: LagrangeSystem, t: float, x: Array, out: Array) -> None:
 
 @end_law.of(LagrangeSystem)
 @compiled
-def room_below(system: LagrangeSystem, x: Array) -> float:
-    """Such a flight has no end of its own."""
-    return inf
-
-
-@compiled
-def height(system: LagrangeSystem, t: float, x: Array) -> float:
-    """How far [m] the hull is above the ground at time `t` [s] and x = (q, q̇)."""
-    q, v = state_of(x)
-    return above(system.parameters, body(system.parameters, q, v, control(system.programme, t)))
+def room_below(system: LagrangeSystem, t: float, x: Array) -> float:
+    """How far [m] the hull is above the ground, if that ends the flight."""
+    if not system.lands:
+        return inf
+    (q, v), c = state_of(x), control(system.programme, t)
+    return above(system.parameters, body(system.parameters, q, v, c))
 
 
 @carry_law.of(LagrangeFlight)
@@ -146,7 +143,7 @@ def carry(flight: LagrangeFlight, t: float, end: float) -> float:
 @compiled
 def present(flight: LagrangeFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
-    parameters, programme = flight.system
+    parameters, programme, _ = flight.system
     return motion_at(parameters, programme, t, state_of(flight.room.x))
 
 
@@ -196,57 +193,30 @@ class LagrangeKite:
         self.t, self.state = kept.t, State(Angles(*kept.numbers[:4]), Angles(*kept.numbers[4:]))
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s] down to the ground, by scipy's DOP853: not ours.
+        """The motion at each of `times` [s] down to the ground, by DOP853 with error control.
 
         Raises FlightError, with what was flown until then, where the equations become
         singular (γ = ±90°) or diverge.
         """
-        from scipy.integrate import solve_ivp
-
-        system, x = LagrangeSystem(self.parameters, programme), self._x()
-        if height(system, self.t, x) < 0.0:
-            return [self.motion(programme)]
-
-        def derivative(t: float, x: Array) -> Array:
-            out = np.empty(8)
-            rates(system, t, x, out)
-            return out
-
-        t_last, x_last = self.t, x
-
-        def touch(t: float, x: Array) -> float:  # asked at the end of each step
-            nonlocal t_last, x_last
-            t_last, x_last = t, x
-            return height(system, t, x) + CLOSE / 2
-
-        touch.terminal, touch.direction = True, -1  # type: ignore[attr-defined]
-        if not np.isfinite(derivative(self.t, x)).all():  # scipy would never return
-            raise FlightError(self.name, self.t, _why_not(self.state), [])
-        span = self.t, times[-1]
-        found = solve_ivp(
-            derivative, span, x, "DOP853", times, events=touch, rtol=RTOL, atol=TOLERANCE
-        )
-        rows = [(t, x) for t, x in zip(found.t, found.y.T, strict=True) if t > self.t]
-        if found.t_events and found.y_events and found.t_events[0].size:
-            rows.append((found.t_events[0][0], found.y_events[0][0]))
+        flight = self._adaptive(programme, TOLERANCE, lands=True)
 
         def fly(end: float) -> None:
-            if not rows:
-                raise FlightError(self.name, t_last, _why_not(state_of(x_last)), [])
-            t, x = rows.pop(0)
-            self.t, self.state = float(t), state_of(np.ascontiguousarray(x))
+            self.t = carry(flight, self.t, end)
+            self.state = state_of(flight.room.x)
+            if self.t < end and not room_below(flight.system, self.t, flight.room.x) < 0.0:
+                raise FlightError(self.name, self.t, _why_not(self.state), [])
 
         return down_to_ground(self, fly, programme, times)
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `rows_at`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
-        system = LagrangeSystem(self.parameters, programme)
-        flight = LagrangeFlight(system, room_for(self._x()), tolerance)
+        flight = self._adaptive(programme, tolerance, lands=False)
         return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
-    def _x(self) -> Array:
-        """(q, q̇) in a row, (8,)."""
-        return np.array([*self.state.q, *self.state.q_dot])
+    def _adaptive(self, programme: Programme, tolerance: float, *, lands: bool) -> LagrangeFlight:
+        x = np.array([*self.state.q, *self.state.q_dot])
+        system = LagrangeSystem(self.parameters, programme, lands)
+        return LagrangeFlight(system, room_for(x), tolerance)
 
 
 def _why_not(last: State) -> str:

@@ -87,7 +87,7 @@ def put_rates(system: NewtonEulerSystem, t: float, x: Array, out: Array) -> None
 
 @end_law.of(NewtonEulerSystem)
 @compiled
-def room_below(system: NewtonEulerSystem, x: Array) -> float:
+def room_below(system: NewtonEulerSystem, t: float, x: Array) -> float:
     """How far [m] the hull is above the ground, if that ends the flight."""
     return above(system.parameters, body_of(free(x))) if system.lands else inf
 
