@@ -27,7 +27,9 @@ ROOMS = (
 """Each room with those right below it; it may import these and all that they may."""
 
 GROUND = (
+    "child",
     "closing",
+    "console",
     "data_files",
     "errors",
     "files",
@@ -35,10 +37,11 @@ GROUND = (
     "mujoco_import",
     "progress_bar",
     "registry",
+    "signals",
     "tables",
 )
 """Root files below all rooms; they import one another only."""
-TOP = ("__init__", "__main__", "api", "cli")
+TOP = ("__init__", "__main__", "api", "cli", "last_resort")
 """Root files above all rooms, which no room imports; but the commands call the api."""
 
 FORMULATIONS = {

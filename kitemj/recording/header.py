@@ -15,7 +15,7 @@ from kitemj.dynamics.formulation import MAX_STEP, MODELS
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK, SteeredFlight
-from kitemj.physics.compiled import cache_folder
+from kitemj.physics.code_folder import formula_hash
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_set, parameter_tables
 from kitemj.physics.parameters import Parameters
@@ -114,9 +114,8 @@ def header_of(flight: SteeredFlight) -> Header:
 
 def present_versions() -> dict[str, str]:
     """Versions of what the bits of a flight depend on; `formulas` is a hash of their source."""
-    formulas = cache_folder().name.rpartition("-")[2]
     machine = {"python": platform.python_version(), "machine": platform.machine()}
-    return {name: version(name) for name in PACKAGES} | {"formulas": formulas} | machine
+    return {name: version(name) for name in PACKAGES} | {"formulas": formula_hash()} | machine
 
 
 def to_json(header: Header) -> bytes:
