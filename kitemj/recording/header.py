@@ -17,7 +17,7 @@ from kitemj.errors import InputError
 from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.physics.code_folder import formula_hash
 from kitemj.physics.frames import Angles
-from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_set, parameter_tables
+from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_tables, told_parameters
 from kitemj.physics.parameters import Parameters
 from kitemj.registry import Registry
 
@@ -66,12 +66,7 @@ class Header:
         for registry, law in self._named():
             if registry is not MODELS:
                 self.check(registry, law, source)
-        parameters = parameter_set("laksa", self.parameters, source)
-        for section, part in parameters._asdict().items():
-            needed = set(part._fields) - set(part._field_defaults)
-            for name in sorted(needed - set(self.parameters[section])):  # never those of laksa
-                raise InputError(f"{source} has a damaged header: it lacks {section}.{name}")
-        return parameters
+        return told_parameters(self.parameters, source)
 
     def check(self, registry: Registry[Any], name: str, source: str) -> None:
         """Raises InputError for a law or a model of this flight that is not known here."""

@@ -70,7 +70,7 @@ def test_a_number_that_a_header_lacks_is_not_that_of_another_kite(table, refusal
     def forget(header):
         del header["parameters"]["kite"]["mass"]
 
-    assert refusal(with_header(table, forget)).endswith("it lacks kite.mass")
+    assert refusal(with_header(table, forget)).endswith("does not say kite.mass: it is damaged")
 
 
 def test_columns_of_wrong_types_and_numbers(table, refusal):
