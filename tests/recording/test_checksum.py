@@ -9,7 +9,7 @@ import pytest
 from kitemj.errors import InputError
 from kitemj.flight.live import Command
 from kitemj.recording import recorder
-from kitemj.recording.checksum import END, ZEROS, sealed, sound_part
+from kitemj.recording.checksum import END, MARK, ZEROS, sealed, sound_part
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
 from tests.recording.flights import SPORT, live_flight, recorded, restless
@@ -40,6 +40,15 @@ def test_every_flipped_bit_is_noticed(data):
         sound = sound_part(bytes(flipped))
         assert sound.damaged or sound.size == 0  # without a batch it is no recording at all
         assert sound.size <= place
+
+
+def test_damage_before_the_last_batch_of_a_killed_writer_is_no_cut(data):
+    killed = data[: -len(END)]
+    last = killed.rfind(b"\xff\xff\xff\xff", 0, killed.rfind(MARK))
+    for place in range(last - 40_000, last, 7):
+        flipped = bytearray(killed)
+        flipped[place] ^= 0x40
+        assert sound_part(bytes(flipped)).damaged
 
 
 def test_damage_says_from_when_on_and_what_can_be_kept(data, tmp_path):
