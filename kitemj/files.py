@@ -13,6 +13,11 @@ from secrets import token_hex
 
 from kitemj.errors import InputError
 
+try:
+    import fcntl
+except ImportError:  # Windows: there nobody is kept from writing to what another writes to
+    fcntl = None  # type: ignore[assignment]
+
 OPEN_STREAMS = re.compile(r"/dev/(stdout|stderr|fd/\d+)|/proc/(self|\d+)/fd/\d+")
 """Names of what a process has open; a file that one of them stands for is not replaced either."""
 
@@ -106,6 +111,16 @@ class NewFile:
                 raise
             known = error.errno or errno.EIO
             raise OSError(known, os.strerror(known), str(self.path)) from error
+
+
+def lock(file: int, path: Path) -> None:
+    """Keeps others from writing to the open `file` at `path`; InputError where one does already."""
+    if fcntl is not None:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            reason = "wait for it, or give another name"
+            raise InputError(f"another command is writing to {path}; {reason}") from None
 
 
 @contextmanager

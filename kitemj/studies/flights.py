@@ -59,7 +59,7 @@ def fly_all(base: Base, flights: Sequence[tuple[int, Point]]) -> list[Row]:
 
 def fly(base: Base, flight: int, point: Point) -> Row:
     """The row of one flight; what goes wrong in it is its reason, never an exception."""
-    row = _inputs(flight, point)
+    row = inputs(flight, point)
     source = f"{base.source}, flight {flight}"
     try:
         tables, settings = base.at(point)
@@ -81,12 +81,14 @@ def fly(base: Base, flight: int, point: Point) -> Row:
 
 def failed(flight: int, point: Point, reason: str) -> Row:
     """The row of a flight whose process ended in it."""
-    return _inputs(flight, point) | {"ending": FAILED, "reason": reason}
+    return inputs(flight, point) | {"ending": FAILED, "reason": reason}
 
 
-def _inputs(flight: int, point: Point) -> Row:
-    tables = {name: json.dumps(x) for name, x in point.items() if isinstance(x, (dict, list))}
-    return {"flight": flight, **point, **tables}
+def inputs(flight: int, point: Point) -> Row:
+    """What a row says of what was asked of its flight."""
+    plain = (int, float, str)
+    texts = {k: json.dumps(x, default=str) for k, x in point.items() if not isinstance(x, plain)}
+    return {"flight": flight, **point, **texts}
 
 
 def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:
