@@ -11,12 +11,15 @@ from numpy.typing import NDArray
 from kitemj.closing import Closing
 from kitemj.errors import InputError
 from kitemj.files import NewFile
+from kitemj.signals import held
 
 OPTIONS = {"preset": "veryfast", "crf": "20"}
 CONTAINER = {"movflags": "+faststart"}  # the index in front: plays while it loads
 SUFFIXES = (".mp4", ".gif")
 GIF_RATE = 50
 """Frames/s, the most that a GIF can have (its clock ticks 100 times a second)."""
+FILM_RATE = 1000
+"""Frames/s; the ticks of a flight are ten times as long."""
 
 
 class Film(Closing):
@@ -69,12 +72,13 @@ class Film(Closing):
                 f"{self.path}: ({self.height}, {self.width}, 3), uint8, is needed"
             )
         picture: Any = av.VideoFrame.from_ndarray(frame, format="rgb24")
-        if self._graph:
-            picture.pts = self.frames
-            self._graph.push(picture)
-            picture = self._graph.pull()
-        self._write(picture)
-        self.frames += 1
+        with held():  # a part of it that is lost would spoil the frames after it
+            if self._graph:
+                picture.pts = self.frames
+                self._graph.push(picture)
+                picture = self._graph.pull()
+            self._write(picture)
+            self.frames += 1
 
     def close(self) -> None:
         """Completes the file and gives it its name; may be called twice."""
@@ -109,9 +113,9 @@ def check_film(path: Path, width: int, height: int, rate: int) -> None:
         raise InputError(f"a film's name ends with {' or '.join(SUFFIXES)}, got {path.name}")
     if width < 2 or height < 2 or width % 2 or height % 2:
         raise InputError(f"a film of {width} x {height} pixels: both numbers must be even, > 0")
-    if rate < 1 or (kind == ".gif" and rate > GIF_RATE):
-        limit = f"1 to {GIF_RATE}" if kind == ".gif" else "at least 1"
-        raise InputError(f"`rate` must be {limit} frames/s, got {rate}")
+    most = GIF_RATE if kind == ".gif" else FILM_RATE
+    if not 1 <= rate <= most:
+        raise InputError(f"`rate` must be 1 to {most} frames/s, got {rate}")
 
 
 def _palettes(width: int, height: int, rate: int) -> Graph:
