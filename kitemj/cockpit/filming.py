@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from contextlib import closing
+from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
 
@@ -89,9 +90,9 @@ def still(
         raise InputError(f"`still` must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")
     with Painter(_stage(sources, style)) as painter, new_file(path, overwrite) as part:
         frame = painter.paint([source.shot(t, style.speed) for source in sources])
-        picture = pygame.image.frombuffer(frame.data, frame.shape[1::-1], "RGB")
-        with part.open("wb") as file:
-            pygame.image.save(picture, file, "PNG")
+        picture, png = pygame.image.frombuffer(frame.data, frame.shape[1::-1], "RGB"), BytesIO()
+        pygame.image.save(picture, png, "PNG")  # in memory, since SDL does not say why a disk fails
+        part.write_bytes(png.getvalue())
     return f"{path}: {t:g} s"
 
 
