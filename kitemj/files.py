@@ -13,11 +13,6 @@ from secrets import token_hex
 
 from kitemj.errors import InputError
 
-try:
-    import fcntl
-except ImportError:  # Windows: there nobody is kept from writing to what another writes to
-    fcntl = None  # type: ignore[assignment]
-
 OPEN_STREAMS = re.compile(r"/dev/(stdout|stderr|fd/\d+)|/proc/(self|\d+)/fd/\d+")
 """Names of what a process has open; a file that one of them stands for is not replaced either."""
 
@@ -88,8 +83,9 @@ class NewFile:
             with self.naming():
                 # exclusive: neither a file nor a link there is used; the umask counts
                 os.close(os.open(self.part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
-        except PermissionError as error:
-            raise InputError(f"cannot write {path}: {error.strerror}; choose another") from None
+        except PermissionError:
+            why = os.strerror(errno.EACCES)
+            raise InputError(f"cannot write {path}: {why}; choose another") from None
 
     def keep(self) -> None:
         """Gives the file its name, once it is on the disk; raises what `__init__` does."""
@@ -124,17 +120,8 @@ class NewFile:
             if error.filename not in (None, str(self.part), str(self._name)):
                 raise
             known = error.errno or errno.EIO
-            raise OSError(known, os.strerror(known), str(self.path)) from error
-
-
-def lock(file: int, path: Path) -> None:
-    """Keeps others from writing to the open `file` at `path`; InputError where one does already."""
-    if fcntl is not None:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            reason = "wait for it, or give another name"
-            raise InputError(f"another command is writing to {path}; {reason}") from None
+            reason = f"{os.strerror(known)}; nothing of it is kept"
+            raise OSError(known, reason, str(self.path)) from error
 
 
 @contextmanager

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import Parser
+from kitemj.console import complain
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -22,8 +23,6 @@ LONG = 3600.0
 """s; a study that seems to take longer is asked about."""
 MANY = 100_000
 """Flights; so is one of more."""
-REFUSED = 74
-"""The exit status where the system refuses to write."""
 
 
 def add(parser: Parser) -> None:
@@ -62,15 +61,14 @@ def run(args: argparse.Namespace) -> int:
                 _fly(args, journal)
             failures = journal.write_table(args.output, args.overwrite)
     except KeyboardInterrupt:
-        print(f"kitemj: interrupted; {_kept(journal)}", file=sys.stderr)
+        complain(f"interrupted; {_kept(journal)}")
         return 130
     except StudyStopped as error:
-        print(f"kitemj: {error}; {_kept(journal)}", file=sys.stderr)
+        complain(f"{error}; {_kept(journal)}")
         return 1
     except OSError as error:
-        refused = f"cannot write {error.filename or args.output}: {error.strerror or error}"
-        print(f"kitemj: {refused}; {_kept(journal)}", file=sys.stderr)
-        return REFUSED
+        reason, path = error.strerror or str(error), error.filename or journal.path
+        raise OSError(error.errno, f"{reason}; {_kept(journal)}", path) from error
     said = f"; {failures} could not be flown, see their reason" if failures else ""
     print(f"{args.output}: {study.design.count} flights{said}")
     return 0

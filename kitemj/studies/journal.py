@@ -7,16 +7,16 @@ that is no row of the study, whatever became of it, is passed over and its fligh
 
 import json
 import os
-import stat
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 from kitemj.errors import InputError
-from kitemj.files import check_new, lock, new_file
+from kitemj.files import check_new, new_file
 from kitemj.flight.limits import Ending
+from kitemj.locks import locked
 from kitemj.studies.flights import FAILED, Row, inputs, result_columns
 from kitemj.studies.study import Study
 
@@ -41,7 +41,8 @@ class Journal:
         self.path = table.with_name(f"{table.name}.journal")
         self.study, self.anew = study, anew
         self.done, self.count, self.damaged = bytearray(study.design.count), 0, 0
-        self._file, self._end, self._begun, self._tabled = -1, 0, False, False
+        self._file: IO[bytes]
+        self._end, self._begun, self._tabled = 0, False, False
         self._header = BEGINNING + json.dumps(study.digest).encode() + b"}\n"
         self._kinds = result_columns(study.rig)
 
@@ -54,11 +55,11 @@ class Journal:
         try:
             self._read()
             self._begun = self.count > 0
-            os.ftruncate(self._file, self._end)
+            self._file.truncate(self._end)
             if self._end == 0:
                 self._append(self._header)
         except InputError:
-            os.close(self._file)
+            self._file.close()
             raise
         except OSError as error:
             self.__exit__(type(error))
@@ -71,11 +72,11 @@ class Journal:
         useless, windows = self._tabled or refused or not self.count, os.name == "nt"
         if useless and not windows:  # while nobody else can go on with it
             self.path.unlink(missing_ok=True)
-        os.close(self._file)
+        self._file.close()
         if useless and windows:  # which removes nothing that is open
             self.path.unlink(missing_ok=True)
 
-    def _opened(self) -> int:
+    def _opened(self) -> IO[bytes]:
         """The file, locked: no link, and not one that was removed meanwhile."""
         odd = InputError(f"{self.path} is not a journal of a study; give another name")
         if os.path.lexists(self.path) and (self.path.is_symlink() or not self.path.is_file()):
@@ -83,22 +84,19 @@ class Journal:
         check_new(self.path, overwrite=True)
         flags = os.O_RDWR | os.O_CREAT | os.O_APPEND
         system = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
-        file = os.open(self.path, flags | system, 0o666)
-        try:
-            lock(file, self.path)
-            if not stat.S_ISREG(os.fstat(file).st_mode):
-                raise odd
-            if self.path.exists() and os.path.samestat(os.fstat(file), self.path.stat()):
-                return file
-        except BaseException:
-            os.close(file)
-            raise
-        os.close(file)
+        file = os.fdopen(os.open(self.path, flags | system, 0o666), "r+b", buffering=0)
+        if not locked(file):
+            file.close()
+            reason = "wait for it, or write another table"
+            raise InputError(f"another command is writing to {self.path}; {reason}")
+        if self.path.exists() and os.path.samestat(os.fstat(file.fileno()), self.path.stat()):
+            return file
+        file.close()
         return self._opened()
 
     def _read(self) -> None:
         """Marks what is done, and finds where the last whole line ends."""
-        with open(self._file, "rb", closefd=False) as lines:
+        with open(self._file.fileno(), "rb", closefd=False) as lines:
             first = lines.readline(len(self._header))
             if self.anew and (first.startswith(BEGINNING) or not first):
                 return
@@ -150,11 +148,11 @@ class Journal:
         left = memoryview(data)
         try:
             while left:
-                left = left[os.write(self._file, left) :]
-            os.fsync(self._file)
+                left = left[os.write(self._file.fileno(), left) :]
+            os.fsync(self._file.fileno())
         except OSError as error:
             with suppress(OSError):
-                os.ftruncate(self._file, self._end)
+                self._file.truncate(self._end)
             raise OSError(error.errno, error.strerror, str(self.path)) from error
         self._end += len(data)
 
@@ -197,8 +195,8 @@ class Journal:
     def _rows(self) -> Iterator[Row]:
         """The row of each flight that is done, the first of it that the file holds."""
         told = bytearray(len(self.done))
-        os.lseek(self._file, 0, os.SEEK_SET)
-        with open(self._file, "rb", closefd=False) as lines:
+        self._file.seek(0)
+        with open(self._file.fileno(), "rb", closefd=False) as lines:
             for row in map(self._row, lines):
                 if row and not told[row["flight"]]:
                     told[row["flight"]] = 1
