@@ -60,7 +60,7 @@ def fly_all(base: Base, flights: Sequence[tuple[int, Point]]) -> list[Row]:
 
 def fly(base: Base, flight: int, point: Point) -> Row:
     """The row of one flight; what goes wrong in it is its reason, never an exception."""
-    row = inputs(flight, point)
+    row = _inputs(flight, point)
     source = f"{base.source}, flight {flight}"
     try:
         tables, settings = base.at(point)
@@ -82,11 +82,10 @@ def fly(base: Base, flight: int, point: Point) -> Row:
 
 def failed(flight: int, point: Point, reason: str) -> Row:
     """The row of a flight whose process ended in it."""
-    return inputs(flight, point) | {"ending": FAILED, "reason": reason}
+    return _inputs(flight, point) | {"ending": FAILED, "reason": reason}
 
 
-def inputs(flight: int, point: Point) -> Row:
-    """What a row says of what was asked of its flight."""
+def _inputs(flight: int, point: Point) -> Row:
     plain = (int, float, str)
     texts = {k: json.dumps(x, default=str) for k, x in point.items() if not isinstance(x, plain)}
     return {"flight": flight, **point, **texts}

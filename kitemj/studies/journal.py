@@ -1,8 +1,9 @@
 """The journal of a study: rows written as they come, and the Parquet table in the end.
 
-A line of JSON for each flight, after one that names the study. What a crash or a full disk
-cut short is at most the last line, which is taken off before the next one is written. A line
-that is no row of the study, whatever became of it, is passed over and its flight flown again.
+A line of JSON for each flight, after one that names the study, and behind each its checksum, which
+begins with that of the study. What a crash or a full disk cut short is at most the last line,
+which is taken off before the next one is written. A line that is not as it was written, whatever
+became of it, is passed over and its flight flown again.
 """
 
 import json
@@ -12,20 +13,16 @@ from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 from typing import IO, Any
+from zlib import crc32
 
 from kitemj.errors import InputError
 from kitemj.files import check_new, new_file
-from kitemj.flight.limits import Ending
 from kitemj.locks import locked
-from kitemj.studies.flights import FAILED, Row, inputs, result_columns
+from kitemj.studies.flights import FAILED, Row, result_columns
 from kitemj.studies.study import Study
 
 AT_ONCE = 20_000
 """Rows turned into columns together."""
-NEEDED = {FAILED: {"reason"}, Ending.DIVERGED.name.lower(): {"model", "flown_s", "cost_s"}}
-"""What a row of these endings has at least."""
-MAY_LACK = {"reason", "departure", "departure_t_s", "gap_max_m", "gap_until_s"}
-"""What rows of other endings may lack."""
 BEGINNING = b'{"study": '
 """What every journal begins with."""
 
@@ -44,7 +41,7 @@ class Journal:
         self._file: IO[bytes]
         self._end, self._begun, self._tabled = 0, False, False
         self._header = BEGINNING + json.dumps(study.digest).encode() + b"}\n"
-        self._kinds = result_columns(study.rig)
+        self._seal = crc32(self._header)
 
     def __enter__(self) -> "Journal":
         """Opens it, whether begun before or not.
@@ -120,24 +117,14 @@ class Journal:
                 elif not self.done[row["flight"]]:
                     self._mark(row)
 
+    def _line(self, row: Row) -> bytes:
+        data = json.dumps(row).encode()
+        return b"%s %08x\n" % (data, crc32(data, self._seal))
+
     def _row(self, line: bytes) -> Row | None:
-        """The row that a line holds; None where it is none of this study."""
-        try:
-            row = json.loads(line)
-        except (ValueError, RecursionError):
-            return None
-        flight = row.get("flight") if isinstance(row, dict) else None
-        if type(flight) is not int or not 0 <= flight < len(self.done):
-            return None
-        given = inputs(flight, self.study.design.point(flight))
-        results = {name: value for name, value in row.items() if name not in given}
-        needed = NEEDED.get(str(results.get("ending")), set(self._kinds) - MAY_LACK)
-        sound = (
-            json.dumps(given) == json.dumps({name: row.get(name) for name in given})
-            and needed <= set(row)
-            and all(isinstance(value, self._kinds.get(k, ())) for k, value in results.items())
-        )
-        return row if sound else None
+        """The row that a line holds; None where it is not as it was written, or of this study."""
+        data, _, seal = line.strip().rpartition(b" ")
+        return json.loads(data) if seal == b"%08x" % crc32(data, self._seal) else None
 
     def _mark(self, row: Row) -> None:
         self.done[row["flight"]] = 1
@@ -163,7 +150,7 @@ class Journal:
     def add(self, rows: Iterable[Row]) -> None:
         """Writes the rows through to the disk; raises OSError where that refuses."""
         new = {row["flight"]: row for row in rows if not self.done[row["flight"]]}
-        self._append(b"".join(json.dumps(row).encode() + b"\n" for row in new.values()))
+        self._append(b"".join(self._line(row) for row in new.values()))
         for row in new.values():
             self._mark(row)
 
@@ -206,7 +193,7 @@ class Journal:
         import pyarrow as pa
 
         kinds: dict[type, Any] = {float: pa.float64(), str: pa.string()}
-        design, results = self.study.design, self._kinds
+        design, results = self.study.design, result_columns(self.study.rig)
         given = {name: float if name in design.numbers else str for name in design.names}
         given = {name: kind for name, kind in given.items() if name not in results}
         fields = [(name, kinds[kind]) for name, kind in (given | results).items()]

@@ -20,6 +20,10 @@ UNFORESEEN = 70
 """The status of the last resort; the program must never need it."""
 
 
+def _nothing() -> None:
+    pass
+
+
 class Attack(NamedTuple):
     """One hostile act: what, for people; `harm` does it in an empty folder and returns a harm.
 
@@ -40,10 +44,18 @@ class Run(NamedTuple):
     left: list[int]
 
 
-def run(words: Sequence[str], folder: Path, seconds: float = SECONDS) -> Run:
-    """The program's command line, with `folder` as the current one and for temporary files."""
+def run(
+    words: Sequence[str],
+    folder: Path,
+    seconds: float = SECONDS,
+    before: Callable[[], object] = _nothing,
+) -> Run:
+    """The program's command line, with `folder` as the current one and for temporary files.
+
+    `before` is done in its process, right before the command.
+    """
     out, error = folder.with_name(f"{folder.name}.out"), folder.with_name(f"{folder.name}.error")
-    process = _context().Process(target=_victim, args=(list(words), folder, out, error))
+    process = _context().Process(target=_victim, args=(list(words), folder, out, error, before))
     process.start()
     process.join(seconds)
     hung = process.exitcode is None
@@ -102,7 +114,9 @@ def _context() -> multiprocessing.context.ForkServerContext:
     return context
 
 
-def _victim(words: list[str], folder: Path, out: Path, error: Path) -> None:
+def _victim(
+    words: list[str], folder: Path, out: Path, error: Path, before: Callable[[], object]
+) -> None:
     os.setsid()
     for path, stream in ((out, 1), (error, 2)):
         os.dup2(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), stream)
@@ -113,6 +127,7 @@ def _victim(words: list[str], folder: Path, out: Path, error: Path) -> None:
     os.chdir(folder)
     from kitemj.cli import main
 
+    before()
     status = main(words)
     sys.stdout.flush()
     sys.stderr.flush()
