@@ -34,6 +34,7 @@ GROUND = (
     "errors",
     "files",
     "locks",
+    "metadata",
     "mujoco_import",
     "progress_bar",
     "registry",

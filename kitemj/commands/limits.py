@@ -30,6 +30,7 @@ def add(parser: Parser) -> None:
 def run(args: argparse.Namespace) -> None:
     """Prints the table; writes and draws what is asked for."""
     from kitemj.flight.limits import left_limits
+    from kitemj.physics.parameter_files import parameter_tables
     from kitemj.plots.figure_output import save_figures
     from kitemj.plots.limits import Extremes, extremes, limits_figure
     from kitemj.plots.sources import read_flight
@@ -43,7 +44,9 @@ def run(args: argparse.Namespace) -> None:
     print_table(Table(f"limits: {flight.name}", Extremes._fields, [_worded(row) for row in rows]))
     print(left_limits(flight.departure))
     if args.output:
-        write(args.output, [Table("limits", Extremes._fields, rows)], {}, args.overwrite)
+        about = {"flight": flight.name, "parameters": parameter_tables(flight.parameters)}
+        table = Table("limits", Extremes._fields, rows)
+        write(args.output, [table], {}, args.overwrite, about)
     if args.save:
         print(*save_figures({"limits": limits_figure(flight)}, args.save, args.overwrite))
 
