@@ -106,6 +106,9 @@ def study_of(tables: Mapping[str, Any], source: str, folder: Path) -> Study:
         scenario = read_toml(shipped_or_file(scenario, SCENARIOS, folder))
     if not isinstance(scenario, dict):
         raise InputError(f"scenario must be the name of a file or a table ({source})")
+    for name in ("aero", *SECTIONS, "steering", "start"):
+        if not isinstance(table := scenario.get(name, {}), Mapping):
+            raise InputError(f"{name} must be a table of named values, got {table!r} ({source})")
     settings = {name: tables[name] for name in Settings._fields if name in tables}
     study = Study(
         Base(source, scenario, settings, own_modules()),
