@@ -271,7 +271,7 @@ FAULTS = [
     ),
     Fault(
         "span and chord of the hull exchanged",
-        "dynamics.batch",
+        "dynamics.ground",
         "Vector(a * chord, b * span, c)",
         "Vector(a * span, b * chord, c)",
         CORNER,
