@@ -12,6 +12,7 @@ from kitemj.console import complain, flush, let_go, take_any_letter
 from kitemj.errors import FlightError, InputError, NoGraphics, NothingFound
 from kitemj.last_resort import UNFORESEEN, report, reporting
 from kitemj.registry import use
+from kitemj.signals import orderly
 
 COMMANDS = (
     *("fly", "simulate", "compare", "film", "replay", "info", "plot", "limits"),
@@ -29,11 +30,12 @@ NOT_WRITTEN = 74
 """The exit status where the system does not take what is written; EX_IOERR of sysexits.h."""
 
 
+@orderly
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line; returns the exit status.
 
-    0 done, 1 a no, 2 bad input, 70 a fault of the program's, 74 the system refused to write, 130
-    interrupted.
+    0 done, 1 a no, 2 bad input, 70 a fault of the program's, 74 the system refused to write,
+    128 + n ended by signal n.
     """
     called = time.perf_counter()
     words = sys.argv[1:] if arguments is None else list(arguments)
@@ -43,9 +45,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return _run(words, called)
     except BrokenPipeError:  # whoever read what we print has seen enough
         return 0
-    except KeyboardInterrupt:
-        complain("interrupted; nothing was written")
-        return 130
     except (FlightError, NoGraphics) as error:
         complain(str(error))
         return 1

@@ -27,14 +27,17 @@ ROOMS = (
 """Each room with those right below it; it may import these and all that they may."""
 
 GROUND = (
+    "child",
     "closing",
     "console",
     "data_files",
     "errors",
     "files",
+    "locks",
     "mujoco_import",
     "progress_bar",
     "registry",
+    "signals",
     "tables",
 )
 """Root files below all rooms; they import one another only."""

@@ -15,7 +15,7 @@ from kitemj.commands.arguments import (
     add_step,
     size,
 )
-from kitemj.errors import InputError
+from kitemj.errors import FlightError, InputError
 
 if TYPE_CHECKING:
     from kitemj.cockpit.screens import Window
@@ -66,7 +66,7 @@ def run(args: argparse.Namespace) -> None:
 
     launched = launch()
     from kitemj.cockpit.fly import fly
-    from kitemj.cockpit.screens import FilmScreen, Screen, display_found
+    from kitemj.cockpit.screens import FilmScreen, Screen, display_found, fitting
     from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
     from kitemj.files import check_new
@@ -84,6 +84,8 @@ def run(args: argparse.Namespace) -> None:
         duration = duration or SHOW_DURATION
         why = "as asked, no window" if args.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
+    else:
+        pixels = fitting(pixels)
     course = None if path else _course(args)
     if course:  # its own start is the second one
         setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
@@ -97,11 +99,16 @@ def run(args: argparse.Namespace) -> None:
         else:
             screen = _window(setup.scenario, pixels, programme)
         screen.wishes.view = args.view
-        print(fly(physics, picture, screen, duration, args.called, course))
-    if course:
-        print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
-    if path:
-        print(f"film         {path}")
+        try:
+            print(fly(physics, picture, screen, duration, args.called, course))
+        except FlightError:  # why it ended is told last
+            print(f"recording    {physics.recording}")
+            raise
+        finally:
+            if course:
+                print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
+            if path and path.exists():
+                print(f"film         {path}")
 
 
 def _setup(args: argparse.Namespace) -> "FlightSetup":

@@ -62,6 +62,8 @@ class Instruments:
         names = [name for name in PANELS if name in shown and (timed or name != "chart")]
         twist = traces.twist if traces else 0.0
         alarm = alarm_at(self.parameters, motion, twist) or (traces.alarm if traces else None)
+        if readings.touch and readings.touch.gentle:
+            alarm = None  # a kite that was landed is where it was meant to be
         # the panel that alarms comes last, so that its frame lies over its neighbours
         for name in sorted(names, key=lambda name: loudness(alarm, name)):
             self._paint_panel(name, surface, motion, readings, loudness(alarm, name))

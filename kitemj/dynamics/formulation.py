@@ -65,7 +65,10 @@ class Model(Protocol):
         """Flies on for `duration` [s] in equal steps not longer than the model's own."""
 
     def motion(self, programme: Programme) -> Motion:
-        """The present instant as pictures and tables show it."""
+        """The present instant as pictures and tables show it, all of it finite.
+
+        Raises FlightError where that would not be (`kitemj.dynamics.motion.told`).
+        """
 
     @property
     def state(self) -> State:
@@ -78,7 +81,11 @@ class Model(Protocol):
         """Back to a snapshot of a model with the same parameters and step."""
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], ascending, not before now; the last becomes now."""
+        """The motion at each of `times` [s], ascending, not before now; the last becomes now.
+
+        The flight ends where the kite touches the ground (`kitemj.dynamics.ground`): the last
+        motion is then that of the touch. Raises FlightError with what was flown until then.
+        """
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """The flight from its start through `times` (n,) [s] at one go: rows of `batch.py`.
