@@ -3,7 +3,6 @@
 import csv
 from collections.abc import Iterator
 from functools import partial
-from math import isfinite
 from pathlib import Path
 
 from attacks.victim import Attack, harm_of, left_over, run
@@ -120,12 +119,12 @@ def _sweep(field: str, value: str, folder: Path) -> str:
 
 
 def not_finite(path: Path) -> str:
-    """A harm where a number in the table, below its first line, is none, or not finite."""
+    """A harm where a number in the table, below its first line, is not finite."""
     with path.open(encoding="utf-8-sig", newline="") as file:
         rows = csv.reader(line for line in file if not line.startswith("#"))
         columns = next(rows)
         for number, row in enumerate(rows):
             for name, cell in zip(columns, row, strict=True):
-                if not isfinite(float(cell)):
+                if cell.lower() in ("nan", "inf", "-inf"):
                     return f"not finite: {name} = {cell} in row {number}"
     return ""
