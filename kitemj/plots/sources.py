@@ -95,7 +95,10 @@ def _columns(path: Path) -> Columns:
         raise InputError(f"{path} is not a table that can be read: {reason}") from None
     if not table.num_rows:
         raise InputError(f"{path} holds no row")
-    return {name: table[name].to_numpy() for name in table.column_names}
+    names = table.column_names
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise InputError(f"{path} has the column {twice[0]} twice: keep one")
+    return {name: table[name].to_numpy() for name in names}
 
 
 def _episodes_in(columns: Columns) -> list[slice]:

@@ -115,7 +115,8 @@ def _coefficients() -> Iterator[tuple[str, Any]]:
     good[0][0][0], good[2][0] = -0.07, [0.1, -3.0, 0.0]
     yield "good", good
     odd: Any
-    for value in (1e308, -1e308, 1e12, True, "x", None, [], [1.0], {}, 1, 2**70):
+    values: tuple[Any, ...] = (1e308, -1e308, 1e12, True, "x", None, [], [1.0], {}, 1, 2**70)
+    for value in values:
         for place in ((0, 0), (5, 7), (3, 4)):
             odd = json.loads(json.dumps(good))
             odd[place[0]][place[1]][1] = value

@@ -54,9 +54,8 @@ def run(
 ) -> Run:
     """The program's command line, with `folder` as the current one and for temporary files."""
     out, error = folder.with_name(f"{folder.name}.out"), folder.with_name(f"{folder.name}.error")
-    process = _context().Process(
-        target=_victim, args=(list(words), folder, out, error, outside or Outside())
-    )
+    given = (list(words), folder, out, error, outside or Outside())
+    process = _context().Process(target=_victim, args=given)
     process.start()
     process.join(seconds)
     hung = process.exitcode is None
