@@ -65,11 +65,11 @@ BAD = {
     "unkept": (["stability", "SHORT", "--map", *"a12b34"], "a map needs --save FIGURE"),
     "map": (
         ["stability", "SHORT", "--json", *MAP[:3], "nan", *MAP[4:]],
-        "--map B must be a number",
+        "B must be a number",
     ),
     "points": (
         ["stability", "SHORT", "--json", "--points", "9999", *MAP],
-        "1000 at most, got 9999",
+        "at most, got 9999",
     ),
     "one model": (["compare", "SHORT", "--models", "mujoco"], "models needs two or more"),
 }

@@ -16,12 +16,15 @@ from kitemj.console import printable
 @pytest.fixture
 def stdout(monkeypatch):
     """Makes standard output write to a file descriptor, in an encoding."""
+    streams = []
 
     def replace(descriptor, encoding="utf-8"):
-        stream = open(descriptor, "w", encoding=encoding)  # noqa: SIM115, PTH123
-        monkeypatch.setattr(sys, "stdout", stream)
+        streams.append(os.fdopen(descriptor, "w", encoding=encoding))
+        monkeypatch.setattr(sys, "stdout", streams[-1])
 
-    return replace
+    yield replace
+    for stream in streams:
+        stream.close()
 
 
 @pytest.mark.parametrize("words", [["reach"], ["--help"], ["trim", "--help"], ["limits", "gust"]])

@@ -4,7 +4,7 @@ import re
 from collections import Counter
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kitemj.tables import Table, lines_of
@@ -20,6 +20,7 @@ def tables(draw):
     return Table(draw(st.sampled_from(["", "limits: steer_80m.toml, lagrange"])), names, rows)
 
 
+@settings(max_examples=40)
 @given(tables(), st.integers(20, 200), st.integers(1, 12))
 def test_every_number_is_whole_and_every_line_fits(table: Table, width: int, most: int) -> None:
     lines = lines_of(table, width, most)

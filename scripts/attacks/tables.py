@@ -4,6 +4,7 @@ import json
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -99,7 +100,7 @@ def _steer(content: bytes, folder: Path) -> str:
         return f"traceback: {error!r:.200}"
     rows = stick._rows
     numbers = [getattr(row, name) for row in rows for name in Row._fields[:5]]
-    return "" if all(abs(number) < 1e300 for number in numbers) else f"not finite: {numbers[:20]}"
+    return "" if all(map(isfinite, numbers)) else f"not finite: {numbers[:20]}"
 
 
 def _limits(content: bytes, folder: Path) -> str:

@@ -6,6 +6,7 @@ import re
 import resource
 import signal
 import sys
+import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -70,6 +71,13 @@ def run(
     out.unlink()
     error.unlink()
     return Run(process.exitcode or 0, said, cried, hung, left)
+
+
+def warm() -> None:
+    """Starts the process that all victims are forked from, which may have to compile formulas."""
+    with tempfile.TemporaryDirectory(prefix="attack-") as parent:
+        (folder := Path(parent) / "folder").mkdir()
+        run(["--version"], folder, seconds=10 * SECONDS)
 
 
 def harm_of(run: Run, allowed: Sequence[int] = (0, 1, 2)) -> str:
