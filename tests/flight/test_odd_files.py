@@ -57,6 +57,13 @@ def test_a_table_of_coefficients_says_its_shape():
         scenario_of({"duration": 1.0, "steering": steering}, "s.toml")
 
 
+def test_a_steering_table_moves_at_the_pace_of_hands():
+    for t in ([0.0, 5e-324, 1.0], [0.0, 1e-300, 1.0], [0.0, 0.0, 1.0], [1.0, 0.5, 0.0]):
+        steering = {"programme": "table", "t": t, "delta": [0.0, 0.1, 0.0]}
+        with pytest.raises(InputError, match="ascending times, 1e-06 s apart or more"):
+            scenario_of({"duration": 1.0, "steering": steering}, "s.toml")
+
+
 def test_rows_are_bounded():
     with pytest.raises(InputError, match=r"too many rows of 1000 s .*one every 0\.001 s"):
         scenario_of({"duration": 1000.0, "output_interval": 1e-6}, "s.toml")
