@@ -22,6 +22,8 @@ from kitemj.physics.steering import Programme, Sines, Spline, rest_ell
 
 MOST_ROWS = 1_000_000
 """Rows of a flight: each takes some 2 kB of memory while it is flown, and a line of a table."""
+CLOSEST = 1e-6
+"""s; between two rows of a steering table. No hand is quicker, and the spline keeps its digits."""
 PROGRAMMES = ("rest", "sine", "table")
 STARTS = ("equilibrium", "state")
 
@@ -178,8 +180,9 @@ def _spline(
                 f"steering.{name} has {len(column)} values where steering.t has {len(t)}: "
                 f"give one for each time ({source}, [steering])"
             )
-    if len(t) < 2 or np.any(np.diff(t) <= 0):
-        raise InputError(f"steering.t must hold 2 or more ascending times ({source}, [steering])")
+    if len(t) < 2 or np.any(np.diff(t) < CLOSEST):
+        known = f"2 or more ascending times, {CLOSEST:g} s apart or more"
+        raise InputError(f"steering.t must hold {known} ({source}, [steering])")
     if t[0] > 0 or t[-1] < times.duration:
         raise InputError(
             f"steering.t must reach from 0 s to the duration {times.duration} s, "
