@@ -1,4 +1,7 @@
-"""Where figures go: to files (one each, or pages of a PDF; all are written or none) or windows."""
+"""Where figures go: to files (all are written or none) or windows.
+
+Several figures are the pages of a PDF, or a PNG or SVG of all and one of each.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from kitemj.errors import InputError
 from kitemj.files import check_new, new_file
+from kitemj.plots.overview import save_overview
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,14 +25,16 @@ SHARPNESS = 200
 def check_figures(path: Path, names: Sequence[str], overwrite: bool) -> list[Path]:
     """The files that figures of these `names` go to; InputError where one cannot be written.
 
-    A PDF has a page for each; of several pictures each is called by its name, flight-state.png.
+    `path` is the first, and has all of them; that of a PNG or SVG is followed by one for each of
+    several, called by its name, flight-state.png.
     """
     if path.suffix.lower() not in FORMATS:
         raise InputError(
             f"{path.name} must end in one of {', '.join(FORMATS)} to say which kind of figure it is"
         )
     together = len(names) == 1 or path.suffix.lower() == ".pdf"
-    paths = [path] if together else [path.with_stem(f"{path.stem}-{name}") for name in names]
+    alone = [] if together else [path.with_stem(f"{path.stem}-{name}") for name in names]
+    paths = [path, *alone]
     for each in paths:
         check_new(each, overwrite)
     return paths
@@ -47,6 +53,8 @@ def save_figures(figures: Mapping[str, Figure], path: Path, overwrite: bool = Fa
             for figure in figures.values():
                 pages.savefig(figure)
         else:
+            if len(figures) > 1:
+                save_overview(list(figures.values()), parts.pop(0), kind)
             for figure, part in zip(figures.values(), parts, strict=True):
                 figure.savefig(part, format=kind, dpi=SHARPNESS)
     return paths
