@@ -21,6 +21,10 @@ class InputError(ValueError):
         return self.worded({})
 
 
+class NothingFound(InputError):  # noqa: N818  an answer
+    """What was looked for is not there: the answer is no, which is exit status 1."""
+
+
 class FlightError(RuntimeError):
     """A flight that cannot go on: which model, when [s], why, and what was flown until then."""
 

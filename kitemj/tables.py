@@ -8,10 +8,13 @@ import csv
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
+from io import StringIO
 from math import isfinite
 from pathlib import Path
+from textwrap import wrap
 from typing import Any, NamedTuple, TypeVar
 
+from kitemj.console import printable
 from kitemj.errors import InputError
 from kitemj.files import new_file
 
@@ -23,6 +26,8 @@ WIDE = 8
 """Columns that fit side by side in a terminal."""
 PIPED = 200
 """Characters of a line that goes to a file or a pipe."""
+MEASURED = 100_000
+"""Characters of a line in which any table fits, to see how many it needs."""
 
 
 UNITS = {
@@ -97,18 +102,47 @@ def check_format(path: Path) -> None:
 
 
 def print_table(table: Table, most: int = WIDE) -> None:
-    """A table of more columns than `most` is shown on its side: a column for each row."""
+    """Prints a table for people; each number in it is whole, however narrow the terminal.
+
+    On its side, a column for each row, if it has more columns than `most` or does not fit; one
+    value a line where that does not fit either.
+    """
+    from rich.console import Console
+
+    console = Console()
+    width = console.width if console.is_terminal else PIPED
+    print("\n".join(lines_of(table, width, most)))
+
+
+def lines_of(table: Table, width: int, most: int = WIDE) -> list[str]:
+    """What `print_table` prints where lines of `width` characters fit."""
     from rich import box
     from rich.console import Console
+    from rich.measure import Measurement
     from rich.table import Table as Shown
 
-    wide = len(table.columns) > most
-    columns = () if wide else table.columns
-    shown = Shown(*columns, title=table.title, title_justify="left", box=box.SIMPLE)
-    shown.show_header = not wide
-    for line in zip(table.columns, *table.rows, strict=True) if wide else table.rows:
-        shown.add_row(*map(_text, line))
-    Console(width=None if Console().is_terminal else PIPED, markup=False).print(shown)
+    names = [printable(name) for name in table.columns]
+    rows = [[printable(_text(cell)) for cell in row] for row in table.rows]
+    title = _wrapped(printable(table.title), width)
+    console = Console(width=MEASURED, file=StringIO(), markup=False, highlight=False)
+    for wide in (False, True) if len(names) <= most else (True,):
+        shown = Shown(*([] if wide else names), box=box.SIMPLE, show_header=not wide)
+        for line in zip(names, *rows, strict=True) if wide else rows:
+            shown.add_row(*line)
+        if Measurement.get(console, console.options, shown).maximum <= width:
+            with console.capture() as text:
+                console.print(shown)
+            return [*title, *map(str.rstrip, printable(text.get()).splitlines())]
+    values = ([f"{name}: {cell}" for name, cell in zip(names, row, strict=True)] for row in rows)
+    return [
+        *title,
+        *(line for row in values for each in ["", *row] for line in _wrapped(each, width)),
+    ]
+
+
+def _wrapped(text: str, width: int) -> list[str]:
+    """`text` in lines of `width`, or of one word that is longer."""
+    return wrap(text, width, break_long_words=False, break_on_hyphens=False) or [text]
 
 
 def _text(cell: Cell) -> str:

@@ -18,7 +18,7 @@ from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.limits import departure_at
-from kitemj.flight.scenario import Scenario, as_scenario
+from kitemj.flight.scenario import Scenario, as_scenario, check_rows
 from kitemj.flight.simulate import simulate
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control
@@ -163,6 +163,7 @@ def film_source(
         return MotionSource(given)
     scenario, model, step = as_scenario(given), model or "mujoco", step or DEFAULT_STEP
     times = scenario.times._replace(output_interval=min(interval, scenario.times.duration))
+    check_rows(times, f"a frame every {interval:g} s of the flight", scenario.source)
     framed = replace(scenario, times=times)
     references = simulate(framed, "lagrange", step).motions
     flight = flight_of_simulation(simulate(framed, model, step))

@@ -15,7 +15,7 @@ from kitemj.commands.arguments import (
     add_step,
     size,
 )
-from kitemj.errors import InputError
+from kitemj.errors import FlightError, InputError
 
 if TYPE_CHECKING:
     from kitemj.cockpit.screens import Window
@@ -99,11 +99,16 @@ def run(args: argparse.Namespace) -> None:
         else:
             screen = _window(setup.scenario, pixels, programme)
         screen.wishes.view = args.view
-        print(fly(physics, picture, screen, duration, args.called, course))
-    if course:
-        print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
-    if path:
-        print(f"film         {path}")
+        try:
+            print(fly(physics, picture, screen, duration, args.called, course))
+        except FlightError:  # why it ended is told last
+            print(f"recording    {physics.recording}")
+            raise
+        finally:
+            if course:
+                print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
+            if path and path.exists():
+                print(f"film         {path}")
 
 
 def _setup(args: argparse.Namespace) -> "FlightSetup":

@@ -101,7 +101,7 @@ def cycle_figure(found: Cycle) -> Figure:
     tensions = [motion.tensions for motion in motions]
     pull.plot(t, tensions, label=["left (A₊)", "right (A₋)"])
     pull.set(xlabel="time [s]", ylabel="tension [N]", title="lines", ylim=(0, None))
-    pull.legend(fontsize=8)
+    pull.legend(fontsize=8, loc="lower center")
     _note(figure, v_ref_note(found.V_ref))
     return figure
 

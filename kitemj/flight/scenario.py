@@ -20,6 +20,8 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.steering import Programme, Sines, Spline, rest_ell
 
+MOST_ROWS = 1_000_000
+"""Rows of a flight: each takes some 2 kB of memory while it is flown, and a line of a table."""
 PROGRAMMES = ("rest", "sine", "table")
 STARTS = ("equilibrium", "state")
 
@@ -115,9 +117,19 @@ def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
             f"output_interval must be <= duration = {times.duration} s, "
             f"got {times.output_interval} s ({source})"
         )
+    check_rows(times, f"output_interval = {times.output_interval:g} s", source)
     programme = _programme(_section(tables, "steering", source), parameters, times, source)
     start = _start(_section(tables, "start", source), parameters, source)
     return Scenario(source, parameters, programme, start, times)
+
+
+def check_rows(times: Times, asked: str, source: str) -> None:
+    """Raises InputError for more rows than `MOST_ROWS`; `asked` is what makes them so many."""
+    if times.duration / MOST_ROWS > times.output_interval:
+        raise InputError(
+            f"{asked} makes too many rows of {times.duration:g} s ({source}): at most {MOST_ROWS}, "
+            f"one every {times.duration / MOST_ROWS:g} s"
+        )
 
 
 def _section(tables: Mapping[str, Any], name: str, source: str) -> dict[str, Any]:

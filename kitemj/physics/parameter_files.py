@@ -8,6 +8,7 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
+from kitemj.data_files import read_text
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import aero_law
 from kitemj.physics.checked import checked, in_radians, unknown_key
@@ -51,11 +52,11 @@ def set_names() -> list[str]:
 def read_toml(path: Path) -> dict[str, Any]:
     """The tables of a file; raises InputError where there is none or it is not TOML."""
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"cannot read {path}: {error.strerror or error}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        return tomllib.loads(read_text(path))
+    except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not valid TOML: {error}") from None
+    except RecursionError:
+        raise InputError(f"{path} nests its tables too deeply to be a file of ours") from None
 
 
 @cache

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kitemj.errors import InputError
-from kitemj.files import check_new, new_file
-from kitemj.plots.overview import save_overview
+from kitemj.files import NewFile, check_new
+from kitemj.plots.overview import overview
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -44,20 +45,40 @@ def save_figures(figures: Mapping[str, Figure], path: Path, overwrite: bool = Fa
     """Writes `figures` (by name) to the files that `check_figures` tells, and returns these."""
     paths = check_figures(path, list(figures), overwrite)
     kind = path.suffix[1:].lower()
+    # drawn in memory first: not all that draws says clearly that a disk is full
+    pictures = [_pdf(figures)] if kind == "pdf" else _pictures(list(figures.values()), kind)
     with ExitStack() as stack:
-        parts = [stack.enter_context(new_file(each, overwrite)) for each in paths]
-        if kind == "pdf":
-            from matplotlib.backends.backend_pdf import PdfPages
-
-            pages = stack.enter_context(PdfPages(parts[0]))
-            for figure in figures.values():
-                pages.savefig(figure)
-        else:
-            if len(figures) > 1:
-                save_overview(list(figures.values()), parts.pop(0), kind)
-            for figure, part in zip(figures.values(), parts, strict=True):
-                figure.savefig(part, format=kind, dpi=SHARPNESS)
+        files = [NewFile(each, overwrite) for each in paths]
+        for file in files:
+            stack.callback(file.discard)
+        for file, picture in zip(files, pictures, strict=True):
+            with file.naming():
+                file.part.write_bytes(picture)
+        for file in files:
+            file.keep()
     return paths
+
+
+def _pdf(figures: Mapping[str, Figure]) -> bytes:
+    from matplotlib.backends.backend_pdf import PdfPages
+
+    drawn = BytesIO()
+    with PdfPages(drawn) as pages:
+        for figure in figures.values():
+            pages.savefig(figure)
+    return drawn.getvalue()
+
+
+def _pictures(figures: Sequence[Figure], kind: str) -> list[bytes]:
+    """A sheet of several, then each alone."""
+    together = [overview(figures, kind)] if len(figures) > 1 else []
+    return [*together, *(_picture(figure, kind) for figure in figures)]
+
+
+def _picture(figure: Figure, kind: str) -> bytes:
+    drawn = BytesIO()
+    figure.savefig(drawn, format=kind, dpi=SHARPNESS)
+    return drawn.getvalue()
 
 
 def check_windows() -> None:

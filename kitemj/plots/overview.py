@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from matplotlib.figure import Figure
 
 SHARPNESS = 100
@@ -24,19 +22,19 @@ NAMESPACES = (
 )
 
 
-def save_overview(figures: Sequence[Figure], path: Path, kind: str) -> None:
-    """Writes a sheet of all `figures` to `path`; `kind` is "png" or "svg"."""
+def overview(figures: Sequence[Figure], kind: str) -> bytes:
+    """A sheet of all `figures`, as the file that holds it; `kind` is "png" or "svg"."""
     if kind == "svg":
-        path.write_text(_drawing(figures), encoding="utf-8")
-        return
+        return _drawing(figures).encode()
     from matplotlib.image import imsave
 
     placed, width, height = _places(figures, SHARPNESS)
-    sheet = np.ones((height, width, 4))
+    sheet, file = np.ones((height, width, 4)), BytesIO()
     for figure, (x, y) in zip(figures, placed, strict=True):
         image = _pixels(figure)
         sheet[y : y + image.shape[0], x : x + image.shape[1]] = image
-    imsave(path, sheet, format="png", dpi=SHARPNESS)
+    imsave(file, sheet, format="png", dpi=SHARPNESS)
+    return file.getvalue()
 
 
 def _places(figures: Sequence[Figure], scale: float) -> tuple[list[tuple[int, int]], int, int]:

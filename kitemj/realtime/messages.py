@@ -93,6 +93,10 @@ class TickNews(NamedTuple):
     memory: float
 
 
+class Alive(NamedTuple):
+    """Nothing happened for a while."""
+
+
 class End(NamedTuple):
     """The last news: what became of the recording; `error` is what ended the flight."""
 
@@ -101,4 +105,4 @@ class End(NamedTuple):
     bad_input: bool = False
 
 
-News = Ready | TickNews | End
+News = Ready | TickNews | Alive | End

@@ -115,4 +115,5 @@ def _victim(words: list[str], folder: Path, out: Path, error: Path) -> None:
 
     status = main(words)
     sys.stdout.flush()
+    sys.stderr.flush()
     os._exit(status)

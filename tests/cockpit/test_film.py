@@ -1,5 +1,6 @@
 """The film file: complete or not there, readable, refused with a sentence."""
 
+import os
 from fractions import Fraction
 from pathlib import Path
 
@@ -102,10 +103,10 @@ def test_a_place_that_cannot_be_written_is_a_sentence(tmp_path: Path) -> None:
 def test_a_folder_without_permission_is_a_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refused(self: Path, *arguments: object, **options: object) -> None:
+    def refused(*arguments: object, **options: object) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(Path, "touch", refused)  # root may write everywhere
+    monkeypatch.setattr(os, "open", refused)  # root may write everywhere
     with pytest.raises(InputError, match=r"Permission denied; choose another"):
         Film(tmp_path / "kite.mp4", WIDTH, HEIGHT)
 
