@@ -19,7 +19,7 @@ from kitemj.files import new_file
 from kitemj.progress_bar import with_progress
 from kitemj.tables import Table, markdown, print_table
 
-KINDS = ("fields",)
+KINDS = ("fields", "kills")
 """Files of `attacks`, each with `attacks()`."""
 
 

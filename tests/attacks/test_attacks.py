@@ -8,7 +8,7 @@ from attack import KINDS, chosen_attacks, harms_of
 from attacks.victim import Run, harm_of, left_over
 
 SEED = 13
-SHARE = {"fields": 0.1}
+SHARE = {"fields": 0.1, "kills": 0.02}
 """Of each kind, what some ten seconds allow."""
 
 
