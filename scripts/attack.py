@@ -21,7 +21,7 @@ from kitemj.tables import Table, markdown, print_table
 
 KINDS = (
     *("fields", "tables", "arguments", "recordings"),
-    *("files", "disks", "journals", "sticks"),
+    *("files", "disks", "journals", "sticks", "kills"),
 )
 """Files of `attacks`, each with `attacks()`."""
 

@@ -17,6 +17,7 @@ SHARE = {
     "disks": 0.02,
     "journals": 0.08,
     "sticks": 0.005,
+    "kills": 0.02,
 }
 """Of each kind, what some ten seconds allow."""
 
