@@ -18,6 +18,7 @@ from zlib import crc32
 from kitemj.errors import InputError
 from kitemj.files import check_new, new_file
 from kitemj.locks import locked
+from kitemj.metadata import KEY, told
 from kitemj.studies.flights import FAILED, Row, result_columns
 from kitemj.studies.study import Study
 
@@ -197,7 +198,9 @@ class Journal:
         given = {name: float if name in design.numbers else str for name in design.names}
         given = {name: kind for name, kind in given.items() if name not in results}
         fields = [(name, kinds[kind]) for name, kind in (given | results).items()]
-        return pa.schema([("flight", pa.int64()), *fields], {"study": self.study.digest})
+        about = told({"holds": "flights of a study", **self.study.base._asdict()})
+        metadata = {"study": self.study.digest, KEY: about}
+        return pa.schema([("flight", pa.int64()), *fields], metadata)
 
 
 def _cell(value: Any, kind: Any) -> Any:
