@@ -15,6 +15,7 @@ from kitemj.errors import InputError
 from kitemj.flight.compare import compare
 from kitemj.flight.scenario import scenario_of
 from kitemj.flight.simulate import simulate
+from kitemj.metadata import about_columns
 from kitemj.studies import executors
 from kitemj.studies import sweep as sweeping
 from kitemj.studies.executors import dask_executor, local_executor
@@ -313,6 +314,9 @@ def test_the_command_flies_a_study_once(tmp_path, capsys):
     assert swept(tmp_path, SHORT, "--processes", "1") == 0
     assert "3 flights" in capsys.readouterr().out
     assert not (tmp_path / "b.parquet.journal").exists()
+    told = about_columns(pq.read_schema(tmp_path / "b.parquet").metadata)
+    assert told["holds"] == "flights of a study"
+    assert told["scenario"] == {"set": "laksa", "duration": 0.2}
     assert swept(tmp_path, SHORT) == 0
     assert "is complete" in capsys.readouterr().out
     assert swept(tmp_path, SHORT.replace("8.0", "9.0")) == 2
