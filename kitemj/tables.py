@@ -26,6 +26,8 @@ WIDE = 8
 """Columns that fit side by side in a terminal."""
 PIPED = 200
 """Characters of a line that goes to a file or a pipe."""
+NOISE = 1e-13
+"""Angles and shares below are shown as 0: some hundred roundings of numbers of the size of 1."""
 MEASURED = 100_000
 """Characters of a line in which any table fits, to see how many it needs."""
 
@@ -54,9 +56,13 @@ class Table(NamedTuple):
         """A dictionary for each row, as JSON has them."""
         return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
 
+    def texts(self) -> list[list[str]]:
+        """The rows for people: rounded, and noise of rounding is 0."""
+        return [list(map(_text, self.columns, row)) for row in self.rows]
+
     def html(self) -> str:
         """For a notebook: on its side if it is wide, as in a terminal."""
-        lines = [self.columns, *(tuple(map(_text, row)) for row in self.rows)]
+        lines: list[Sequence[str]] = [self.columns, *self.texts()]
         if len(self.columns) > WIDE:
             lines = list(zip(*lines, strict=True))
         body = "".join(
@@ -77,9 +83,9 @@ class Tabled:
 
     def in_short(self) -> str:
         """The first table in one line."""
-        title, _, rows = self.tables()[0]
-        told = "; ".join(" ".join(map(_text, row)) for row in rows)
-        return f"<{type(self).__name__} {title}: {told}>"
+        table = self.tables()[0]
+        told = "; ".join(map(" ".join, table.texts()))
+        return f"<{type(self).__name__} {table.title}: {told}>"
 
 
 class Results(list[T], Tabled):
@@ -122,7 +128,7 @@ def lines_of(table: Table, width: int, most: int = WIDE) -> list[str]:
     from rich.table import Table as Shown
 
     names = [printable(name) for name in table.columns]
-    rows = [[printable(_text(cell)) for cell in row] for row in table.rows]
+    rows = [list(map(printable, row)) for row in table.texts()]
     title = _wrapped(printable(table.title), width)
     console = Console(width=MEASURED, file=StringIO(), markup=False, highlight=False)
     for wide in (False, True) if len(names) <= most else (True,):
@@ -145,14 +151,17 @@ def _wrapped(text: str, width: int) -> list[str]:
     return wrap(text, width, break_long_words=False, break_on_hyphens=False) or [text]
 
 
-def _text(cell: Cell) -> str:
-    return f"{cell:.7g}" if isinstance(cell, float) else str(cell)
+def _text(column: str, cell: Cell) -> str:
+    if not isinstance(cell, float):
+        return str(cell)
+    noise = unit_of_column(column) in ("rad", "deg") or column.startswith("share_")
+    return "0" if noise and abs(cell) < NOISE else f"{cell:.7g}"
 
 
 def markdown(table: Table) -> str:
     """The table in Markdown, without its title."""
-    lines = [table.columns, ["---"] * len(table.columns), *table.rows]
-    return "".join(f"| {' | '.join(map(_text, line))} |\n" for line in lines)
+    lines = [table.columns, ["---"] * len(table.columns), *table.texts()]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def json_text(tables: Iterable[Table], extra: Mapping[str, object]) -> str:

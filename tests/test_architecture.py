@@ -40,6 +40,7 @@ GROUND = (
     "registry",
     "signals",
     "tables",
+    "temporary",
 )
 """Root files below all rooms; they import one another only."""
 TOP = ("__init__", "__main__", "api", "cli", "last_resort")

@@ -104,8 +104,11 @@ def _columns(path: Path) -> tuple[Columns, dict[str, Any]]:
         raise InputError(f"{path} is not a table that can be read: {reason}") from None
     if not table.num_rows:
         raise InputError(f"{path} holds no row")
+    names = table.column_names
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise InputError(f"{path} has the column {twice[0]} twice: keep one")
     about = about_csv(path) if read is csv.read_csv else about_columns(table.schema.metadata)
-    return {name: table[name].to_numpy() for name in table.column_names}, about
+    return {name: table[name].to_numpy() for name in names}, about
 
 
 def _episodes_in(columns: Columns) -> list[slice]:

@@ -6,11 +6,12 @@ import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import closing, contextmanager
-from multiprocessing import get_context, parent_process
-from threading import Thread
+from multiprocessing import get_context
 from typing import Any
 
+from kitemj.child import end_with_parent
 from kitemj.errors import InputError
+from kitemj.signals import ENDING
 from kitemj.studies.design import Point
 from kitemj.studies.flights import Row, fly_all
 from kitemj.studies.study import Base
@@ -71,15 +72,9 @@ def _processes(workers: int) -> Executor:
 
 def _prepare() -> None:
     """Prepares a worker to end its flights on an interrupt, and itself when its parent dies."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    Thread(target=_end_with_parent, daemon=True).start()
-
-
-def _end_with_parent() -> None:
-    parent = parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
+    for number in set(ENDING) - {signal.SIGTERM}:  # by which the pool ends it
+        signal.signal(number, signal.SIG_IGN)
+    end_with_parent(0.0)
 
 
 @contextmanager

@@ -13,7 +13,7 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
-from attacks.victim import Attack, Run, harm_of, run
+from attacks.victim import Attack, Outside, Run, harm_of, run
 from attacks.writers import COMMANDS, prepare
 
 PARTS = (0.0, 0.01, 0.3, 0.6, 0.9, 0.999)
@@ -84,7 +84,7 @@ def _small_disk(words: Sequence[str], blocks: int, folder: Path) -> str:
 
 def _deaf(words: Sequence[str], folder: Path) -> str:
     prepare(folder)
-    ended = run(words, folder, before=_to_full)
+    ended = run(words, folder, outside=Outside(before=_to_full))
     if harm := harm_of(ended, (74,)):
         return harm
     return _sentence(ended, "standard output")
@@ -94,7 +94,7 @@ def _judged(words: Sequence[str], folder: Path, before: Any, must_fail: bool) ->
     if before:
         prepare(folder)
     there = {path.name: path.read_bytes() for path in folder.iterdir()}
-    ended = run(words, folder, before=before) if before else run(words, folder)
+    ended = run(words, folder, outside=Outside(before=before) if before else None)
     if harm := harm_of(ended, (0, 74)):
         return harm
     more = {path.name for path in folder.iterdir()} - set(there)

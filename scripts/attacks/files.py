@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
-from attacks.victim import Attack, harm_of, run
+from attacks.victim import Attack, Outside, harm_of, run
 from attacks.writers import COMMANDS, prepare
 
 MINE = b"a person's own\n"
@@ -139,7 +139,7 @@ def _a_folder_is_refused(words: list[str], folder: Path, path: Path) -> str:
 
 def _the_umask_counts(words: list[str], folder: Path, path: Path) -> str:
     before = partial(os.umask, 0o027)
-    harm = harm_of(run(words, folder, before=before), (0,))
+    harm = harm_of(run(words, folder, outside=Outside(before=before)), (0,))
     right = not harm and stat.S_IMODE(path.stat().st_mode) == 0o640
     return harm or ("" if right else "wrong: other permissions than the umask's")
 

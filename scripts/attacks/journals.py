@@ -11,7 +11,7 @@ from typing import Any
 
 import pyarrow.parquet as pq
 
-from attacks.victim import Attack, harm_of, run
+from attacks.victim import Attack, Outside, harm_of, run
 from attacks.writers import STUDY
 from kitemj.studies import executors
 from kitemj.studies.flights import fly
@@ -103,7 +103,7 @@ def _gone_on(damage: Damage, folder: Path) -> str:
     damaged = damage(_sound())
     journal = folder / "a.parquet.journal"
     journal.write_bytes(damaged)
-    ended = run(WORDS, folder, before=_here)
+    ended = run(WORDS, folder, outside=Outside(before=_here))
     if not damaged.startswith(_sound()[0][: len(damaged)]):
         return harm_of(ended, (2,)) or ("" if journal.read_bytes() == damaged else "file lost")
     if harm := harm_of(ended, (0,)):
@@ -120,7 +120,7 @@ def _foreign(number: int, folder: Path) -> str:
     journal = folder / "a.parquet.journal"
     journal.write_bytes(FOREIGN[number])
     for more in ([], ["--overwrite"]):
-        ended = run([*WORDS, *more], folder, before=_here)
+        ended = run([*WORDS, *more], folder, outside=Outside(before=_here))
         given_up = more and FOREIGN[number].startswith(b'{"study": ')
         if harm := harm_of(ended, (0,) if given_up else (2,)):
             return harm

@@ -104,9 +104,7 @@ def test_a_table_of_which_nothing_is_told_is_a_guess_and_says_so(tmp_path, conte
     flight = read_flight(path)
     assert flight.parameters == parameter_set("sport")
     [note] = flight.notes
-    assert (
-        "sport is a guess, which fits its lines; the option kite says it: a set, or" in note
-    )
+    assert "sport is a guess, which fits its lines; the option kite says it: a set, or" in note
     assert not read_flight(path, kite="sport").notes
     with pytest.raises(InputError, match=r"was not flown by laksa: its lines end .* m from where"):
         read_flight(path, kite="laksa")
