@@ -16,8 +16,10 @@ import pytest
 from kitemj.physics import code_folder, machine_code
 from kitemj.physics.code_folder import INHERITED
 from kitemj.physics.compiled import compiled
+from kitemj.physics.parameter_files import WINDS
 from kitemj.physics.vectors import Vector
 from kitemj.physics.wind import Wind, wind_law, wind_velocity
+from kitemj.studies.study import study_of
 
 PACKAGE = Path(code_folder.__file__).parent.parent
 BREEZE = """
@@ -51,6 +53,7 @@ CHANGES = [
     ("gust.txt", "0.5", "1.5", (11.5, 0.0)),
     ("fields.py", "speed: float\n    azimuth", "azimuth: float\n    speed", (10.5, 0.0)),
 ]
+STUDY = {"scenario": {"set": "sport", "wind": {"law": "breeze"}}, "grid": {"aero.Cm_0": [0.1]}}
 
 
 @compiled
@@ -107,6 +110,19 @@ def test_a_change_in_any_file_of_somebodys_formula_compiles_it_anew(folder, mine
         assert anew() == (wind, True), name
         (mine / name).write_text(text)
         assert anew() == ((10.5, 0.0), False), name
+
+
+def test_a_study_does_not_go_on_where_a_file_of_its_formula_changed(folder, mine, monkeypatch):
+    def digest():
+        anew()
+        monkeypatch.setitem(WINDS._loaded, "breeze", sys.modules["fields"].Breeze)
+        return study_of(STUDY, "test", mine).digest
+
+    before = digest()
+    assert digest() == before
+    helper = mine / "helper.py"
+    helper.write_text(helper.read_text().replace("1.0", "2.0"))
+    assert digest() != before
 
 
 def test_an_own_law_leaves_the_machine_code_without_it_alone(folder, mine):
