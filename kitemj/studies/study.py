@@ -15,6 +15,7 @@ from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
 from kitemj.physics.checked import checked, unknown_key
 from kitemj.physics.code_folder import formula_hash
+from kitemj.physics.compiled import code_of
 from kitemj.physics.parameter_files import LAWS, LINES, NAMED_BY, SECTIONS, field_names, read_toml
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.rig import RIGS, Rig
@@ -124,7 +125,9 @@ def study_of(tables: Mapping[str, Any], source: str, folder: Path) -> Study:
 def _digest(*parts: Any) -> str:
     text = json.dumps([*parts, formula_hash()], sort_keys=True, default=str)
     for registry in (*LAWS.values(), MODELS):  # whose a formula is that the study names
-        text += "".join(registry.origin(name) for name in registry if f'"{name}"' in text)
+        for name in (name for name in registry if f'"{name}"' in text):
+            if whose := registry.origin(name):
+                text += whose + code_of(registry[name])
     return hashlib.sha256(text.encode()).hexdigest()
 
 
