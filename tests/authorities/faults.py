@@ -42,6 +42,7 @@ COLUMNS = "test_columns:test_every_column_holds_what_its_name_says"
 BEYOND = "test_columns:test_limits_of_columns_are_those_of_the_file"
 HALFWAY = "test_columns:test_halfway_between_two_ticks_is_where_a_throw_is"
 ENERGY = "test_columns:test_energy_of_a_spinning_plate"
+BARS = "test_cockpit:test_bars_of_tensions_show_half_at_a_quarter"
 ARROW = "test_cockpit:test_the_arrow_of_the_wind_and_a_slack_line"
 READ = "test_columns:test_what_is_read_from_columns_is_what_was_flown"
 FIGURES = "test_columns:test_figures_are_in_the_units_of_their_axes"
@@ -536,5 +537,12 @@ FAULTS = [
         "sqrt(max(0.375 * distance * (length - distance), 0.0))",
         "sqrt(max(0.0375 * distance * (length - distance), 0.0))",
         ARROW,
+    ),
+    Fault(
+        "bars that grow with the tension",
+        "drawing.tensions",
+        "sqrt(max(tension, 0.0) / self.full)",
+        "max(tension, 0.0) / self.full",
+        BARS,
     ),
 ]

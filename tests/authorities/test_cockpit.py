@@ -250,9 +250,10 @@ def test_a_touch_is_a_thrown_body():
 
 
 def test_bars_of_tensions_show_half_at_a_quarter():
-    Written.words, Written.bars = [], []
-    panel = Written(pygame.Surface((400, 200)), (0.0, 0.0, 400.0, 118.0), 1.0)
-    now = motion(Vector(-30.0, 0.0, -40.0), tensions=(150.0, 600.0))  # of 600 N
-    tensions.paint_tensions(panel, LAKSA, now, 0)
-    wide = [width for _, width in Written.bars if width > 2]
-    assert wide == pytest.approx([tensions.ROOM, tensions.ROOM / 2, tensions.ROOM, tensions.ROOM])
+    """As the square root; the paper's kite rests at 43.7845 N a line, and may pull 600 N."""
+    scale = tensions.scale_of(LAKSA)
+    assert scale == pytest.approx((43.7845, 600.0), abs=5e-5)
+    shares = [scale.share(pull) for pull in (150.0, 600.0, 0.0, 601.0, -9.0)]
+    assert shares == [0.5, 1.0, 0.0, 1.0, 0.0]
+    light = LAKSA._replace(limits=LAKSA.limits._replace(tension_max=1e6))
+    assert tensions.scale_of(light).full == pytest.approx(25 * 43.7845, abs=25 * 5e-5)
