@@ -42,6 +42,8 @@ myst_substitutions = {
     "kites": from_program.kites(),
     "faults": from_program.faults(),
     "counted": from_program.counted_faults(),
+    "shared": str(len(from_program.SHARED)),
+    "shared_faults": from_program.shared_faults(),
 }
 
 default_role = "code"

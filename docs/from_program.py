@@ -24,6 +24,7 @@ ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT))
 
 from tests.agreement.faults import FAULTS  # noqa: E402
+from tests.authorities.faults import FAULTS as SHARED  # noqa: E402
 
 
 def version() -> str:
@@ -113,6 +114,15 @@ def counted_faults() -> str:
     count = Counter(fault.rung for fault in FAULTS)
     told = ", ".join(f"{count[rung]} by {rung}" for rung in dict.fromkeys(f.rung for f in FAULTS))
     return f"{len(FAULTS)} faults: {told}"
+
+
+def shared_faults() -> str:
+    """Every fault planted in what the models share, and the authority that must notice it."""
+    rows = []
+    for fault in SHARED:
+        test = fault.test.partition(":")[2].removeprefix("test_")
+        rows.append((fault.module, fault.what, test.replace("_", " ")))
+    return table(("in", "fault", "noticed, because"), rows)
 
 
 def short_signature(
