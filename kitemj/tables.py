@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from kitemj.console import printable
 from kitemj.errors import InputError
-from kitemj.files import new_file
+from kitemj.metadata import KEY, new_csv, told
 
 Cell = float | str | bool
 T = TypeVar("T")
@@ -179,10 +179,20 @@ def _finite(value: Any) -> Any:
     return None if isinstance(value, float) and not isfinite(value) else value
 
 
-def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrite: bool) -> None:
-    """JSON holds all `tables` and `extra`; CSV and Parquet hold the first table."""
+def write(
+    path: Path,
+    tables: list[Table],
+    extra: Mapping[str, object],
+    overwrite: bool,
+    about: Mapping[str, object] | None = None,
+) -> None:
+    """JSON holds all `tables` and `extra`; CSV and Parquet hold the first table.
+
+    They say its title and what it is `about`, as `kitemj.metadata` has it.
+    """
     kind, first = path.suffix.lower(), tables[0]
-    with new_file(path, overwrite) as part:
+    about = {"holds": first.title, **(about or {})}
+    with new_csv(path, about, overwrite) as part:
         if kind == ".json":
             part.write_text(json_text(tables, extra) + "\n", encoding="utf-8")
         elif kind == ".csv":
@@ -193,4 +203,5 @@ def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrit
             from pyarrow import Table as Columns
             from pyarrow import parquet
 
-            parquet.write_table(Columns.from_pylist(first.records()), part)
+            columns = Columns.from_pylist(first.records())
+            parquet.write_table(columns.replace_schema_metadata({KEY: told(about)}), part)

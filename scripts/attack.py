@@ -19,7 +19,10 @@ from kitemj.files import new_file
 from kitemj.progress_bar import with_progress
 from kitemj.tables import Table, markdown, print_table
 
-KINDS = ("fields", "tables", "arguments", "recordings")
+KINDS = (
+    *("fields", "tables", "arguments", "recordings"),
+    *("files", "disks", "journals", "sticks", "kills"),
+)
 """Files of `attacks`, each with `attacks()`."""
 
 

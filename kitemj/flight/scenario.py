@@ -58,13 +58,17 @@ class SteeringTable(NamedTuple):
 
 @dataclass(frozen=True)
 class Scenario:
-    """All that a flight needs; `source` is what messages call it."""
+    """All that a flight needs; `source` is what messages call it.
+
+    `steered`: whether a programme was named; if not, the lines rest.
+    """
 
     source: str
     parameters: Parameters
     programme: Programme
     start: State
     times: Times
+    steered: bool = True
 
     @property
     def output_times(self) -> list[float]:
@@ -120,9 +124,11 @@ def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
             f"got {times.output_interval} s ({source})"
         )
     check_rows(times, f"output_interval = {times.output_interval:g} s", source)
-    programme = _programme(_section(tables, "steering", source), parameters, times, source)
+    steering = _section(tables, "steering", source)
+    steered = "programme" in steering
+    programme = _programme(steering, parameters, times, source)
     start = _start(_section(tables, "start", source), parameters, source)
-    return Scenario(source, parameters, programme, start, times)
+    return Scenario(source, parameters, programme, start, times, steered)
 
 
 def check_rows(times: Times, asked: str, source: str) -> None:

@@ -21,6 +21,10 @@ UNFORESEEN = 70
 """The status of the last resort; the program must never need it."""
 
 
+def _nothing() -> None:
+    pass
+
+
 class Attack(NamedTuple):
     """One hostile act: what, for people; `harm` does it in an empty folder and returns a harm.
 
@@ -48,6 +52,8 @@ class Outside(NamedTuple):
     closed: bool = False
     columns: int = 0
     """Of a terminal; 0: there is none."""
+    before: Callable[[], object] = _nothing
+    """Done in its process, right before the command."""
 
 
 def run(
@@ -139,6 +145,7 @@ def _victim(words: list[str], folder: Path, out: Path, error: Path, outside: Out
     os.chdir(folder)
     from kitemj.cli import main
 
+    outside.before()
     try:
         status = main(words)
     except SystemExit as ended:  # argparse's
