@@ -9,7 +9,7 @@ from importlib.metadata import version
 
 from kitemj.commands.arguments import Parser, add_command
 from kitemj.console import complain, flush, let_go, take_any_letter
-from kitemj.errors import FlightError, InputError, NoGraphics, NothingFound
+from kitemj.errors import NOT_WRITTEN, FlightError, InputError, NoGraphics, NothingFound
 from kitemj.last_resort import UNFORESEEN, report, reporting
 from kitemj.registry import use
 from kitemj.signals import orderly
@@ -26,8 +26,6 @@ NAMED = (
     *(IsADirectoryError, NotADirectoryError),
 )
 """A file is not what its name is given for."""
-NOT_WRITTEN = 74
-"""The exit status where the system does not take what is written; EX_IOERR of sysexits.h."""
 
 
 @orderly

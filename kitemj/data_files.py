@@ -1,5 +1,7 @@
 """Files that ship: in ``data/`` of an installed package, in folders beside it in a checkout."""
 
+import os
+from io import FileIO
 from pathlib import Path
 
 from kitemj.errors import InputError
@@ -45,8 +47,10 @@ def shipped_or_file(name: str | Path, folder: str, beside: Path = Path()) -> Pat
 def read_text(path: Path) -> str:
     """The text of a UTF-8 file, a byte-order mark left out; InputError where it cannot be read."""
     try:
-        with path.open("rb") as file:
+        with FileIO(path, opener=_open) as file:
             content = file.read(MOST_BYTES + 1)
+            while len(content) <= MOST_BYTES and (more := file.read(MOST_BYTES)):  # of a pipe
+                content += more
         text = content.decode("utf-8-sig")
     except OSError as error:
         raise InputError(f"cannot read {path}: {error.strerror or error}") from None
@@ -57,3 +61,12 @@ def read_text(path: Path) -> str:
     if len(content) > MOST_BYTES:
         raise InputError(f"cannot read {path}: it has more than {MOST_BYTES >> 20} MB")
     return text.replace("\r\n", "\n")
+
+
+def _open(path: str, flags: int) -> int:
+    """As usual, but a pipe that nobody fills is an empty file, and not waited for."""
+    if os.name != "posix":
+        return os.open(path, flags)
+    handle = os.open(path, flags | os.O_NONBLOCK)
+    os.set_blocking(handle, True)
+    return handle

@@ -4,6 +4,9 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+NOT_WRITTEN = 74
+"""The exit status where the system does not take what is written; EX_IOERR of sysexits.h."""
+
 
 class InputError(ValueError):
     """Bad input: what, the value with its unit, what is allowed, what to do.

@@ -59,9 +59,13 @@ def is_stream(path: Path) -> bool:
 class NewFile:
     """A file that is to appear at `path`: written at `part`, then kept or discarded.
 
-    `part` is a new file beside it that no other has the name of. A link at `path` stays, and
-    the file it leads to is replaced, whose permissions stay; a stream is written into.
+    `part` is a new file beside it that no other has the name of; where the system can (Linux), it
+    has no name in the folder until it is kept, so that nothing is left of a program that is
+    killed. A link at `path` stays, and the file it leads to is replaced, whose permissions stay;
+    a stream is written into.
     """
+
+    _nameless: int | None = None
 
     def __init__(self, path: Path, overwrite: bool = False) -> None:
         """Raises InputError as `check_new`, and OSError, which names `path`."""
@@ -69,13 +73,19 @@ class NewFile:
         self.path, self.overwrite = path, overwrite
         self._stream = is_stream(path)
         folder = Path(tempfile.gettempdir()) if self._stream else _target(path).parent
-        self.part = folder / f".kitemj-{token_hex(8)}.part"
+        self._name = self.part = folder / f".kitemj-{token_hex(8)}.part"
+        if hasattr(os, "O_TMPFILE") and Path("/proc/self/fd").is_dir():
+            with suppress(OSError):  # not every kind of disk can
+                self._nameless = os.open(folder, os.O_RDWR | os.O_TMPFILE, 0o666)
+                self.part = Path(f"/proc/self/fd/{self._nameless}")
+                return
         try:
             with self.naming():
                 # exclusive: neither a file nor a link there is used; the umask counts
                 os.close(os.open(self.part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
-        except PermissionError as error:
-            raise InputError(f"cannot write {path}: {error.strerror}; choose another") from None
+        except PermissionError:
+            why = os.strerror(errno.EACCES)
+            raise InputError(f"cannot write {path}: {why}; choose another") from None
 
     def keep(self) -> None:
         """Gives the file its name, once it is on the disk; raises what `__init__` does."""
@@ -90,11 +100,16 @@ class NewFile:
             target = _target(self.path)
             with suppress(FileNotFoundError):
                 self.part.chmod(stat.S_IMODE(target.stat().st_mode))
-            self.part.replace(target)
+            if self._nameless is not None:  # given, the descriptor has the link followed
+                os.link(self.part, self._name, src_dir_fd=self._nameless)
+            self._name.replace(target)
 
     def discard(self) -> None:
-        """Removes what was not kept."""
-        self.part.unlink(missing_ok=True)
+        """Removes what was not kept; may be called twice."""
+        if self._nameless is not None:
+            os.close(self._nameless)
+            self._nameless = None
+        self._name.unlink(missing_ok=True)
 
     @contextmanager
     def naming(self) -> Iterator[None]:
@@ -102,10 +117,11 @@ class NewFile:
         try:
             yield
         except OSError as error:
-            if error.filename not in (None, str(self.part)):
+            if error.filename not in (None, str(self.part), str(self._name)):
                 raise
             known = error.errno or errno.EIO
-            raise OSError(known, os.strerror(known), str(self.path)) from error
+            reason = f"{os.strerror(known)}; nothing of it is kept"
+            raise OSError(known, reason, str(self.path)) from error
 
 
 @contextmanager

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from kitemj.console import printable
 from kitemj.errors import InputError
-from kitemj.files import new_file
+from kitemj.metadata import KEY, new_csv, told
 
 Cell = float | str | bool
 T = TypeVar("T")
@@ -26,6 +26,8 @@ WIDE = 8
 """Columns that fit side by side in a terminal."""
 PIPED = 200
 """Characters of a line that goes to a file or a pipe."""
+NOISE = 1e-13
+"""Angles and shares below are shown as 0: some hundred roundings of numbers of the size of 1."""
 MEASURED = 100_000
 """Characters of a line in which any table fits, to see how many it needs."""
 
@@ -54,9 +56,13 @@ class Table(NamedTuple):
         """A dictionary for each row, as JSON has them."""
         return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
 
+    def texts(self) -> list[list[str]]:
+        """The rows for people: rounded, and noise of rounding is 0."""
+        return [list(map(_text, self.columns, row)) for row in self.rows]
+
     def html(self) -> str:
         """For a notebook: on its side if it is wide, as in a terminal."""
-        lines = [self.columns, *(tuple(map(_text, row)) for row in self.rows)]
+        lines: list[Sequence[str]] = [self.columns, *self.texts()]
         if len(self.columns) > WIDE:
             lines = list(zip(*lines, strict=True))
         body = "".join(
@@ -77,9 +83,9 @@ class Tabled:
 
     def in_short(self) -> str:
         """The first table in one line."""
-        title, _, rows = self.tables()[0]
-        told = "; ".join(" ".join(map(_text, row)) for row in rows)
-        return f"<{type(self).__name__} {title}: {told}>"
+        table = self.tables()[0]
+        told = "; ".join(map(" ".join, table.texts()))
+        return f"<{type(self).__name__} {table.title}: {told}>"
 
 
 class Results(list[T], Tabled):
@@ -122,7 +128,7 @@ def lines_of(table: Table, width: int, most: int = WIDE) -> list[str]:
     from rich.table import Table as Shown
 
     names = [printable(name) for name in table.columns]
-    rows = [[printable(_text(cell)) for cell in row] for row in table.rows]
+    rows = [list(map(printable, row)) for row in table.texts()]
     title = _wrapped(printable(table.title), width)
     console = Console(width=MEASURED, file=StringIO(), markup=False, highlight=False)
     for wide in (False, True) if len(names) <= most else (True,):
@@ -145,14 +151,17 @@ def _wrapped(text: str, width: int) -> list[str]:
     return wrap(text, width, break_long_words=False, break_on_hyphens=False) or [text]
 
 
-def _text(cell: Cell) -> str:
-    return f"{cell:.7g}" if isinstance(cell, float) else str(cell)
+def _text(column: str, cell: Cell) -> str:
+    if not isinstance(cell, float):
+        return str(cell)
+    noise = unit_of_column(column) in ("rad", "deg") or column.startswith("share_")
+    return "0" if noise and abs(cell) < NOISE else f"{cell:.7g}"
 
 
 def markdown(table: Table) -> str:
     """The table in Markdown, without its title."""
-    lines = [table.columns, ["---"] * len(table.columns), *table.rows]
-    return "".join(f"| {' | '.join(map(_text, line))} |\n" for line in lines)
+    lines = [table.columns, ["---"] * len(table.columns), *table.texts()]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def json_text(tables: Iterable[Table], extra: Mapping[str, object]) -> str:
@@ -170,10 +179,20 @@ def _finite(value: Any) -> Any:
     return None if isinstance(value, float) and not isfinite(value) else value
 
 
-def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrite: bool) -> None:
-    """JSON holds all `tables` and `extra`; CSV and Parquet hold the first table."""
+def write(
+    path: Path,
+    tables: list[Table],
+    extra: Mapping[str, object],
+    overwrite: bool,
+    about: Mapping[str, object] | None = None,
+) -> None:
+    """JSON holds all `tables` and `extra`; CSV and Parquet hold the first table.
+
+    They say its title and what it is `about`, as `kitemj.metadata` has it.
+    """
     kind, first = path.suffix.lower(), tables[0]
-    with new_file(path, overwrite) as part:
+    about = {"holds": first.title, **(about or {})}
+    with new_csv(path, about, overwrite) as part:
         if kind == ".json":
             part.write_text(json_text(tables, extra) + "\n", encoding="utf-8")
         elif kind == ".csv":
@@ -184,4 +203,5 @@ def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrit
             from pyarrow import Table as Columns
             from pyarrow import parquet
 
-            parquet.write_table(Columns.from_pylist(first.records()), part)
+            columns = Columns.from_pylist(first.records())
+            parquet.write_table(columns.replace_schema_metadata({KEY: told(about)}), part)

@@ -34,11 +34,13 @@ GROUND = (
     "errors",
     "files",
     "locks",
+    "metadata",
     "mujoco_import",
     "progress_bar",
     "registry",
     "signals",
     "tables",
+    "temporary",
 )
 """Root files below all rooms; they import one another only."""
 TOP = ("__init__", "__main__", "api", "cli", "last_resort")

@@ -85,12 +85,13 @@ class Film(Closing):
         if not self._open:
             return
         try:
-            if self.frames:
-                self._write(None)
-            with self._file.naming():
-                self._container.close()
-            if self.frames:
-                self._file.keep()
+            with held():
+                if self.frames:
+                    self._write(None)
+                with self._file.naming():
+                    self._container.close()
+                if self.frames:
+                    self._file.keep()
         finally:
             self._open = False
             self._file.discard()

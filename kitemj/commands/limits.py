@@ -29,6 +29,7 @@ def add(parser: Parser) -> None:
 def run(args: argparse.Namespace) -> None:
     """Prints the table; writes and draws what is asked for."""
     from kitemj.flight.limits import left_limits
+    from kitemj.physics.parameter_files import parameter_tables
     from kitemj.plots.figure_output import save_figures
     from kitemj.plots.limits import Extremes, beside_rest, extremes, headroom, limits_figure
     from kitemj.plots.sources import read_flight
@@ -44,6 +45,8 @@ def run(args: argparse.Namespace) -> None:
     print(left_limits(flight.departure))
     if args.output:
         rows: list[tuple[Cell, ...]] = [*extremes(flight)]
-        write(args.output, [Table("limits", Extremes._fields, rows)], {}, args.overwrite)
+        about = {"flight": flight.name, "parameters": parameter_tables(flight.parameters)}
+        table = Table("limits", Extremes._fields, rows)
+        write(args.output, [table], {}, args.overwrite, about)
     if args.save:
         print(*save_figures({"limits": limits_figure(flight)}, args.save, args.overwrite))

@@ -44,7 +44,7 @@ def add_file(parser: Parser) -> None:
     parser.add_argument("--model", default="", help=says)
     says = "which flight of a recording, as kitemj info counts them; default the longest"
     parser.add_argument("--leg", dest="episode", type=int, default=0, metavar="N", help=says)
-    says = "which kite flew a table: a set or a scenario's file; default the set that its lines fit"
+    says = "which kite flew a table: a set or a scenario's file; default as it says, else a guess"
     parser.add_argument("--kite", default="", metavar="SET", help=says)
 
 

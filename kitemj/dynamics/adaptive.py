@@ -18,6 +18,9 @@ from kitemj.physics.compiled import Array, compiled, law
 STAGES = 12
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0
 """Of the step size that the error allows: part taken, least and greatest change at once."""
+BURST, OFTEN = 10_000, 1e5
+"""Steps, and those for each second [1/s], after which a motion is too quick to be followed: a
+force that jumps at a state to which both sides drive would take steps without end."""
 
 _method: Any = DOP853  # its numbers are attributes of the class
 NODES, WEIGHTS, RESULT = _method.C[:STAGES].copy(), _method.A.copy(), _method.B.copy()
@@ -72,20 +75,21 @@ def carried(system: Any, room: Room, t: float, end: float, tolerance: float) -> 
     """Takes ``room.x`` from time `t` to `end` [s]; the time that was reached.
 
     `tolerance` bounds the error of a step in each number, relative to its size plus one.
-    What was reached is before `end` where no step is short enough: a singular or non-finite
-    right-hand side; and where the flight ends: no more than `CLOSE` beyond `room_below` = 0.
+    What was reached is before `end` where no step is short enough, or too many are: a singular,
+    non-finite or jumping right-hand side; and where the flight ends: no more than `CLOSE` beyond `room_below` = 0.
     """
     x, rates, stage, state = room
     n, over, down, under = len(x), room_below(system, t, x), inf, 0.0
     if over < 0.0:
         return t
-    while t < end:
+    most = state[2] + STAGES * (BURST + OFTEN * (end - t))
+    while t < end and state[2] < most:
         h, last = state[0], False
         if t + 1.000001 * h >= end:  # no crumb of a step at the end
             h, last = end - t, True
         if down < inf:  # a step to `down` ended `under` < 0: regula falsi, aimed just below 0
             part = (over + CLOSE / 2) / (over - under)
-            h, last = max(part * (down - t), 1e-12), False
+            h, last = min(h, max(part * (down - t), 1e-12)), False
         first = 0 if state[1] == 0.0 else 1
         for i in range(first, STAGES):  # one call of the right side: it is compiled where it stands
             for j in range(n):

@@ -22,7 +22,7 @@ from kitemj.physics.steering import Control, Programme, control
 TOLERANCE = 1e-13
 """Of q [rad] and q̇ [rad/s], for one adaptive step: three orders below what 0.1 µm on a 200 m
 line asks for."""
-EDGE = 0.1
+EDGE = 0.03
 """cos γ; nearer to 90° numbers are lost to the coordinates, if they are lost."""
 
 

@@ -22,6 +22,8 @@ from kitemj.physics.steering import Programme, Sines, Spline, rest_ell
 
 MOST_ROWS = 1_000_000
 """Rows of a flight: each takes some 2 kB of memory while it is flown, and a line of a table."""
+CLOSEST = 1e-6
+"""s; between two rows of a steering table. No hand is quicker, and the spline keeps its digits."""
 PROGRAMMES = ("rest", "sine", "table")
 STARTS = ("equilibrium", "state")
 
@@ -56,13 +58,17 @@ class SteeringTable(NamedTuple):
 
 @dataclass(frozen=True)
 class Scenario:
-    """All that a flight needs; `source` is what messages call it."""
+    """All that a flight needs; `source` is what messages call it.
+
+    `steered`: whether a programme was named; if not, the lines rest.
+    """
 
     source: str
     parameters: Parameters
     programme: Programme
     start: State
     times: Times
+    steered: bool = True
 
     @property
     def output_times(self) -> list[float]:
@@ -118,9 +124,11 @@ def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
             f"got {times.output_interval} s ({source})"
         )
     check_rows(times, f"output_interval = {times.output_interval:g} s", source)
-    programme = _programme(_section(tables, "steering", source), parameters, times, source)
+    steering = _section(tables, "steering", source)
+    steered = "programme" in steering
+    programme = _programme(steering, parameters, times, source)
     start = _start(_section(tables, "start", source), parameters, source)
-    return Scenario(source, parameters, programme, start, times)
+    return Scenario(source, parameters, programme, start, times, steered)
 
 
 def check_rows(times: Times, asked: str, source: str) -> None:
@@ -178,8 +186,9 @@ def _spline(
                 f"steering.{name} has {len(column)} values where steering.t has {len(t)}: "
                 f"give one for each time ({source}, [steering])"
             )
-    if len(t) < 2 or np.any(np.diff(t) <= 0):
-        raise InputError(f"steering.t must hold 2 or more ascending times ({source}, [steering])")
+    if len(t) < 2 or np.any(np.diff(t) < CLOSEST):
+        known = f"2 or more ascending times, {CLOSEST:g} s apart or more"
+        raise InputError(f"steering.t must hold {known} ({source}, [steering])")
     if t[0] > 0 or t[-1] < times.duration:
         raise InputError(
             f"steering.t must reach from 0 s to the duration {times.duration} s, "

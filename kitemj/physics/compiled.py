@@ -6,6 +6,7 @@ by the type of its first argument, in both worlds: that is how another aerodynam
 or another steering programme takes its place without touching the dynamics.
 """
 
+import os
 import sys
 from collections.abc import Callable
 from multiprocessing import parent_process
@@ -17,7 +18,7 @@ from numba.core import event
 from numba.extending import overload
 from numpy.typing import NDArray
 
-from kitemj.physics.code_folder import code_folder
+from kitemj.physics.code_folder import INHERITED, code_folder
 from kitemj.physics.machine_code import MachineCode
 
 Array = NDArray[np.float64]
@@ -38,7 +39,8 @@ class _FirstCompilation(event.Listener):
     def on_start(self, event: event.Event) -> None:
         """A formula is about to be compiled: it was not found on the disk."""
         folder = code_folder()
-        if not (self.said or parent_process() or folder is None or any(folder.iterdir())):
+        known = os.environ.get(INHERITED) or folder is None or any(folder.iterdir())
+        if not (self.said or parent_process() or known):
             print("compiling the formulas for this machine, once: some 15 s", file=sys.stderr)
         self.said = True
 

@@ -19,7 +19,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from kitemj.physics.code_folder import code_folder, complain, owner
-from kitemj.physics.reach import fingerprint
+from kitemj.physics.reach import classes_of, fingerprint
 
 _rebuilt: Any = CompileResult._rebuild
 _pickled: Any = dumps
@@ -44,8 +44,10 @@ class MachineCode(NullCache):  # the verbs that a formula's compiler calls
             return None
 
     def save_overload(self, signature: Any, result: Any) -> None:
-        """Keeps a compiled formula, unless addresses of this process are part of it."""
-        if self._folder is None or result.lifted or result.library.has_dynamic_globals:
+        """Keeps a compiled formula, unless it is made of what the next process will not have."""
+        ours = classes_of((*result.signature.args, result.signature.return_type))
+        passing = result.library.has_dynamic_globals or not all(map(_lasts, ours))
+        if self._folder is None or result.lifted or passing:
             return
         file = self._file(self._folder, signature, result.codegen)
         try:
@@ -59,6 +61,12 @@ class MachineCode(NullCache):  # the verbs that a formula's compiler calls
         code = fingerprint(self._formula, signature)
         key = hashlib.sha256(repr((machine, code)).encode()).hexdigest()
         return folder / f"{self._formula.__name__}-{key[:32]}"
+
+
+def _lasts(kind: type) -> bool:
+    """Whether a process that imports the same finds this very class: not one of a notebook."""
+    module = sys.modules.get(kind.__module__)
+    return kind.__module__ != "__main__" and getattr(module, kind.__qualname__, None) is kind
 
 
 def _read(file: Path) -> bytes:

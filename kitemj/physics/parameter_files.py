@@ -89,6 +89,23 @@ def parameter_set(
     return parameters
 
 
+def told_parameters(tables: Mapping[str, Mapping[str, Any]], source: str) -> Parameters:
+    """The parameters of which `parameter_tables` made all of `tables`.
+
+    Raises InputError, which names `source`, for whatever cannot be, or is missing: no number is
+    taken from a named set.
+    """
+    for section in Parameters._fields:
+        if not isinstance(tables.get(section), Mapping):
+            raise InputError(f"{source} does not say what its {section} is: it is damaged")
+    parameters = parameter_set("laksa", tables, source)
+    for section, part in parameters._asdict().items():
+        for name in part._fields:
+            if name not in tables[section] and name not in part._field_defaults:
+                raise InputError(f"{source} does not say {section}.{name}: it is damaged")
+    return parameters
+
+
 def parameter_tables(parameters: Parameters) -> dict[str, dict[str, Any]]:
     """The tables that `parameter_set` makes `parameters` of, angles in rad.
 

@@ -23,11 +23,21 @@ def fingerprint(formula: Any, signature: Any) -> str:
     the formulas for the types that can occur, so that laws of others leave this one alone.
     """
     reach = _Reach()
-    reach.follow([formula, *_classes(signature)])
+    reach.follow([formula, *classes_of(signature)])
     digest = hashlib.sha256(str(signature).encode())
     for told in reach.told:
         digest.update(repr(told).encode())
     return digest.hexdigest()
+
+
+def classes_of(kind: Any) -> Iterator[type]:
+    """The ``NamedTuple``s among numba's types, at whatever depth."""
+    if isinstance(kind, types.NamedTuple | types.NamedUniTuple):
+        yield kind.instance_class
+    if isinstance(kind, tuple | types.BaseTuple):
+        parts: Any = kind
+        for part in dict.fromkeys(parts):
+            yield from classes_of(part)
 
 
 class _Reach:
@@ -114,16 +124,6 @@ def _names(code: CodeType) -> Iterator[str]:
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
             yield from _names(constant)
-
-
-def _classes(kind: Any) -> Iterator[type]:
-    """The ``NamedTuple``s among numba's types, at whatever depth."""
-    if isinstance(kind, types.NamedTuple | types.NamedUniTuple):
-        yield kind.instance_class
-    if isinstance(kind, tuple | types.BaseTuple):
-        parts: Any = kind
-        for part in dict.fromkeys(parts):
-            yield from _classes(part)
 
 
 def _name(value: Any) -> str:

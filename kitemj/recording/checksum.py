@@ -12,9 +12,10 @@ from zlib import crc32
 import pyarrow as pa
 
 ABOUT = {b"checksum": b"crc32=00000000"}
-"""Metadata that a batch is made with, before its bytes are known."""
+"""Metadata that a batch is made with, before its bytes are known; first of all, so that it stands
+last in them, after any text that looks like it."""
 MARK = b"\x0e\x00\x00\x00crc32="
-"""How Arrow writes that: its length, then the text; no other text can look like it."""
+"""How Arrow writes that: its length, then the text."""
 ZEROS = b"00000000"
 END = b"\xff\xff\xff\xff\x00\x00\x00\x00"
 """How a stream that was closed ends."""

@@ -17,7 +17,7 @@ from kitemj.errors import InputError
 from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.physics.code_folder import formula_hash
 from kitemj.physics.frames import Angles
-from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_set, parameter_tables
+from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_tables, told_parameters
 from kitemj.physics.parameters import Parameters
 from kitemj.registry import Registry
 
@@ -66,12 +66,7 @@ class Header:
         for registry, law in self._named():
             if registry is not MODELS:
                 self.check(registry, law, source)
-        parameters = parameter_set("laksa", self.parameters, source)
-        for section, part in parameters._asdict().items():
-            needed = set(part._fields) - set(part._field_defaults)
-            for name in sorted(needed - set(self.parameters[section])):  # never those of laksa
-                raise InputError(f"{source} has a damaged header: it lacks {section}.{name}")
-        return parameters
+        return told_parameters(self.parameters, source)
 
     def check(self, registry: Registry[Any], name: str, source: str) -> None:
         """Raises InputError for a law or a model of this flight that is not known here."""
@@ -148,7 +143,8 @@ def from_json(text: bytes, source: str) -> Header:
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(str(each) for each in first["loc"])
-        raise InputError(f"{source} has a damaged header: {field}: {first['msg']}") from None
+        got = "" if first["type"] == "missing" else f", got {first['input']!r:.60}"
+        raise InputError(f"{source} has a damaged header: {field}: {first['msg']}{got}") from None
     for section in Parameters._fields:
         named = header.parameters.get(section, {}).get(NAMED_BY.get(section, ""), "")
         if section not in header.parameters or not isinstance(named, str):

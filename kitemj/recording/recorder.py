@@ -101,7 +101,7 @@ class Recorder:
             return
         columns = table(self._parameters, ticks)
         batch = pa.record_batch(list(columns.values()), schema=self._schema)
-        self._stream.write_batch(batch, custom_metadata=about | ABOUT)
+        self._stream.write_batch(batch, custom_metadata=ABOUT | about)
         message, self._seal = sealed(self._taken(), self._seal)
         self._waiting.append((len(ticks), message))
 

@@ -13,6 +13,7 @@ Point = dict[str, Any]
 """Dotted names (``wind.speed``, ``model``) and the values that one flight gives them."""
 MOST = 10_000_000
 """Flights in a study; a week of a desktop's cores."""
+LARGEST = float(np.finfo(float).max)
 
 
 class Choices:
@@ -185,4 +186,5 @@ def _ends(value: Any, name: str, source: str) -> tuple[float, float]:
 
 
 def _number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and np.isfinite(value)
+    known = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return known and abs(value) <= LARGEST

@@ -141,7 +141,7 @@ def _cut(part: float) -> bytes:
 
 def _flipped(part: float, bit: int) -> bytes:
     data = bytearray(recording())
-    data[int(part * len(data))] ^= 1 << bit
+    data[int(part * (len(data) - 8))] ^= 1 << bit  # the last 8 only say that it was closed
     return bytes(data)
 
 

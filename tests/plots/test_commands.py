@@ -66,13 +66,13 @@ def test_a_pdf_has_a_page_for_each(scenario, tmp_path):
 
 
 def test_all_leaves_out_what_the_table_lacks(scenario, tmp_path, capsys):
-    write_csv(tmp_path / "flight.csv", simulation().motions)
+    write_csv(tmp_path / "flight.csv", simulation())
     assert main(["plot", "flight.csv", "--save", "a.pdf"]) == 0
-    assert "without rates: flight.csv, sport lacks the column R_BE_xx" in capsys.readouterr().out
+    assert "without rates: flight.csv, lagrange lacks the column R_BE_xx" in capsys.readouterr().out
     assert main(["plot", "flight.csv", "--what", "rates", "--save", "b.pdf"]) == 2
     told = capsys.readouterr().err
     assert "a recording, its exported table and a scenario have it" in told
-    assert listed(tmp_path) == ["a.pdf", "eight.toml", "flight.csv"]
+    assert listed(tmp_path) == ["a.pdf", "eight.toml", "flight.csv", "flight.csv-metadata.json"]
 
 
 BAD = {

@@ -1,14 +1,18 @@
 """Films and windows of recordings: what they show, and what they refuse."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import av
 import numpy as np
 import pygame
 import pytest
 
+import kitemj
 from kitemj.cli import main
+from kitemj.cockpit import film_sources, filming
 from kitemj.cockpit.film_sources import RecordingSource
 from kitemj.cockpit.filming import FilmStyle, film
 from kitemj.cockpit.parallel_painting import Stage, painted
@@ -43,6 +47,37 @@ def file(tmp_path_factory):
 def frames_of(path):
     with av.open(str(path)) as container:
         return [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
+
+
+class Reel(list):
+    """Takes the place of painter and film: keeps the shots, writes nothing."""
+
+    def take(self, stage, shots, workers):
+        self.extend(shot.motion for (shot,) in shots)
+        return (frame for frame in ())
+
+    def __call__(self, *words):
+        return nullcontext(SimpleNamespace(frames=len(self)))
+
+
+@pytest.mark.parametrize("by", ["call", "command"])
+def test_a_film_shows_the_rows_that_were_simulated_for_it(by, monkeypatch, tmp_path):
+    """Twice as fast at 20 frames/s is a frame for each 0.1 s of the flight, and a row for each."""
+    reel, rows = Reel(), []
+    monkeypatch.setattr(filming, "painted", reel.take)
+    monkeypatch.setattr(filming, "Film", reel)
+    simulated = film_sources.flight_of_simulation
+    note = lambda flown: rows.extend(flown.motions) or simulated(flown)  # noqa: E731
+    monkeypatch.setattr(film_sources, "flight_of_simulation", note)
+    tables, path = {"set": "sport", "duration": 0.5}, tmp_path / "a.mp4"
+    if by == "call":
+        kitemj.film(tables, path, model="lagrange", rate=20, speed=2.0)
+    else:
+        (tmp_path / "a.toml").write_text('set = "sport"\nduration = 0.5\n', encoding="utf-8")
+        words = ["--rate", "20", "--speed", "2", "--output", str(path), "--model", "lagrange"]
+        assert main(["film", str(tmp_path / "a.toml"), *words]) == 0
+    assert [motion.t for motion in reel] == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
+    assert reel == rows, "no motion between two rows"
 
 
 def test_a_film_has_the_frames_that_its_words_ask_for(file, tmp_path):
