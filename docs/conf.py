@@ -37,6 +37,7 @@ myst_enable_extensions = ["deflist", "dollarmath", "substitution"]
 myst_heading_anchors = 3
 myst_substitutions = {
     "keys": from_program.keys(),
+    "replay_keys": from_program.replay_keys(),
     "toggles": from_program.toggles(),
     "parameters": from_program.parameters(),
     "kites": from_program.kites(),

@@ -14,7 +14,7 @@ from typing import Annotated, Any, get_args, get_origin, get_type_hints
 import pygame
 
 from kitemj.cli import _parser
-from kitemj.controls.actions import HELP
+from kitemj.controls.actions import HELP, REPLAY_HELP
 from kitemj.controls.keys import TOGGLES
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import SECTIONS, parameter_set, set_names
@@ -44,8 +44,17 @@ def _cell(text: str) -> str:
 
 def keys() -> str:
     """What each key and control does: the page that F1 shows."""
-    rows = [tuple(line.split("\t")) for line in HELP if "\t" in line]
-    return table(("keys (pad)", "what they do"), rows)
+    return _page(HELP, "keys (pad)")
+
+
+def replay_keys() -> str:
+    """The same while a recording is shown."""
+    return _page(REPLAY_HELP, "keys")
+
+
+def _page(lines: tuple[str, ...], head: str) -> str:
+    rows = [tuple(line.split("\t")) for line in lines if "\t" in line]
+    return table((head, "what they do"), rows)
 
 
 def toggles() -> str:
