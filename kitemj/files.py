@@ -83,8 +83,9 @@ class NewFile:
             with self.naming():
                 # exclusive: neither a file nor a link there is used; the umask counts
                 os.close(os.open(self.part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
-        except PermissionError as error:
-            raise InputError(f"cannot write {path}: {error.strerror}; choose another") from None
+        except PermissionError:
+            why = os.strerror(errno.EACCES)
+            raise InputError(f"cannot write {path}: {why}; choose another") from None
 
     def keep(self) -> None:
         """Gives the file its name, once it is on the disk; raises what `__init__` does."""
@@ -119,7 +120,8 @@ class NewFile:
             if error.filename not in (None, str(self.part), str(self._name)):
                 raise
             known = error.errno or errno.EIO
-            raise OSError(known, os.strerror(known), str(self.path)) from error
+            reason = f"{os.strerror(known)}; nothing of it is kept"
+            raise OSError(known, reason, str(self.path)) from error
 
 
 @contextmanager

@@ -5,12 +5,13 @@ is completed all the same, and nothing is left behind.
 """
 
 import signal
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import wraps
 from threading import current_thread, main_thread
 from types import FrameType
+
+from kitemj.console import complain
 
 ENDING = tuple(getattr(signal, n) for n in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, n))
 """Those that ask a program to end."""
@@ -37,7 +38,7 @@ def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
         try:
             status = main(arguments)
         except KeyboardInterrupt:
-            print("kitemj: interrupted; nothing was written", file=sys.stderr)
+            complain("interrupted; nothing was written")
             status = 128 + signal.SIGINT
         finally:
             for number, handler in before.items():

@@ -29,9 +29,12 @@ ROOMS = (
 GROUND = (
     "child",
     "closing",
+    "console",
     "data_files",
     "errors",
     "files",
+    "locks",
+    "metadata",
     "mujoco_import",
     "progress_bar",
     "registry",
@@ -40,7 +43,7 @@ GROUND = (
     "temporary",
 )
 """Root files below all rooms; they import one another only."""
-TOP = ("__init__", "__main__", "api", "cli")
+TOP = ("__init__", "__main__", "api", "cli", "last_resort")
 """Root files above all rooms, which no room imports; but the commands call the api."""
 
 FORMULATIONS = {

@@ -18,6 +18,8 @@ CONTAINER = {"movflags": "+faststart"}  # the index in front: plays while it loa
 SUFFIXES = (".mp4", ".gif")
 GIF_RATE = 50
 """Frames/s, the most that a GIF can have (its clock ticks 100 times a second)."""
+FILM_RATE = 1000
+"""Frames/s; the ticks of a flight are ten times as long."""
 
 
 class Film(Closing):
@@ -112,9 +114,9 @@ def check_film(path: Path, width: int, height: int, rate: int) -> None:
         raise InputError(f"a film's name ends with {' or '.join(SUFFIXES)}, got {path.name}")
     if width < 2 or height < 2 or width % 2 or height % 2:
         raise InputError(f"a film of {width} x {height} pixels: both numbers must be even, > 0")
-    if rate < 1 or (kind == ".gif" and rate > GIF_RATE):
-        limit = f"1 to {GIF_RATE}" if kind == ".gif" else "at least 1"
-        raise InputError(f"`rate` must be {limit} frames/s, got {rate}")
+    most = GIF_RATE if kind == ".gif" else FILM_RATE
+    if not 1 <= rate <= most:
+        raise InputError(f"`rate` must be 1 to {most} frames/s, got {rate}")
 
 
 def _palettes(width: int, height: int, rate: int) -> Graph:

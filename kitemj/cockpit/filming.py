@@ -16,6 +16,9 @@ from kitemj.errors import InputError, NoGraphics
 from kitemj.files import check_new, new_file
 from kitemj.progress_bar import with_progress
 
+MOST_FRAMES = 1_000_000
+"""Of a film: nine hours of it, and a day of painting."""
+
 
 class FilmStyle(NamedTuple):
     """How a film looks; `rate` in frames/s, `speed` of the flight on the film."""
@@ -61,6 +64,12 @@ def film(
     end = longest if end is None else min(end, longest)
     if not 0.0 <= start < end:
         raise InputError(f"`start` must be >= 0 s and before the end at {end:g} s, got {start:g} s")
+    if (end - start) / style.speed * style.rate > MOST_FRAMES:
+        slowest = (end - start) * style.rate / MOST_FRAMES
+        raise InputError(
+            f"{end - start:g} s at `speed` {style.speed:g} are more than {MOST_FRAMES} frames: "
+            f"film less of it, or at a speed >= {slowest:.2g}"
+        )
     count = int((end - start) / style.speed * style.rate + 1e-6) + 1
     times = [start + i * style.speed / style.rate for i in range(count)]
     shots = ([source.shot(t, style.speed) for source in sources] for t in times)

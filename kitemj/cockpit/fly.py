@@ -107,7 +107,7 @@ def fly(
 def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Course | None) -> None:
     """Does what the person asks for of time, picture and lessons."""
     deeds, turn, zoom = wishes.taken()
-    physics.ask(Rate(wishes.rate))
+    physics.ask(Rate(wishes.pace))
     physics.ask(StartAt(1 if course and course.start else 0))
     for deed in deeds:
         if deed not in ("next lesson", "begin lesson"):
@@ -138,7 +138,7 @@ def _readings(
         missed_ticks=times.missed,
         lateness=times.lateness,
         stick=screen.stick.name,
-        speed=wishes.rate,
+        speed=wishes.pace,
         message=screen.message or physics.problem,
         traces=history.traces(time.perf_counter()),
         help=HELP if wishes.help else (),

@@ -6,17 +6,21 @@ Nørsett, Wanner, "Solving Ordinary Differential Equations I", 2nd ed.
 interpolate; the step size that the error allows is kept from one call to the next.
 """
 
-from math import isfinite, sqrt
+from math import inf, isfinite, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import DOP853
 
+from kitemj.dynamics.ground import CLOSE
 from kitemj.physics.compiled import Array, compiled, law
 
 STAGES = 12
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0
 """Of the step size that the error allows: part taken, least and greatest change at once."""
+BURST, OFTEN = 10_000, 1e5
+"""Steps, and those for each second [1/s], after which a motion is too quick to be followed: a
+force that jumps at a state to which both sides drive would take steps without end."""
 
 _method: Any = DOP853  # its numbers are attributes of the class
 NODES, WEIGHTS, RESULT = _method.C[:STAGES].copy(), _method.A.copy(), _method.B.copy()
@@ -49,7 +53,13 @@ def _right_side(system: Any, t: float, x: Array, out: Array) -> None:
     raise NotImplementedError
 
 
+def _room_below(system: Any, t: float, x: Array) -> float:
+    """How far [m] `system` at `t` [s], `x` (n,) is above where its flight ends; inf: nowhere."""
+    raise NotImplementedError
+
+
 right_side, system_law = law(_right_side)
+room_below, end_law = law(_room_below)
 
 
 @compiled
@@ -65,15 +75,21 @@ def carried(system: Any, room: Room, t: float, end: float, tolerance: float) -> 
     """Takes ``room.x`` from time `t` to `end` [s]; the time that was reached.
 
     `tolerance` bounds the error of a step in each number, relative to its size plus one.
-    What was reached is before `end` where no step is short enough: a singular or non-finite
-    right-hand side.
+    What was reached is before `end` where no step is short enough, or too many are: a singular,
+    non-finite or jumping right-hand side; and where the flight ends: no more than `CLOSE` beyond `room_below` = 0.
     """
     x, rates, stage, state = room
-    n = len(x)
-    while t < end:
+    n, over, down, under = len(x), room_below(system, t, x), inf, 0.0
+    if over < 0.0:
+        return t
+    most = state[2] + STAGES * (BURST + OFTEN * (end - t))
+    while t < end and state[2] < most:
         h, last = state[0], False
         if t + 1.000001 * h >= end:  # no crumb of a step at the end
             h, last = end - t, True
+        if down < inf:  # a step to `down` ended `under` < 0: regula falsi, aimed just below 0
+            part = (over + CLOSE / 2) / (over - under)
+            h, last = min(h, max(part * (down - t), 1e-12)), False
         first = 0 if state[1] == 0.0 else 1
         for i in range(first, STAGES):  # one call of the right side: it is compiled where it stands
             for j in range(n):
@@ -87,12 +103,17 @@ def carried(system: Any, room: Room, t: float, end: float, tolerance: float) -> 
             factor = SMALLEST
         else:
             factor = min(LARGEST, max(SMALLEST, SAFETY * max(error, 1e-30) ** -0.125))
-        if error <= 1.0:
+        below = room_below(system, t + h, stage) if error <= 1.0 else 0.0
+        if below < -CLOSE and h > 1e-12:
+            down, under = t + h, below
+        elif error <= 1.0:
             for j in range(n):
                 x[j] = stage[j]
             t = end if last else t + h
             state[0] = max(state[0], factor * h) if last else factor * h
-            state[1] = 0.0
+            state[1], over = 0.0, below
+            if below < -CLOSE / 4:
+                return t
         else:
             state[0] = min(1.0, factor) * h
             if not state[0] > 1e-14 * max(1.0, abs(t)):

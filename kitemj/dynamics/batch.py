@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from kitemj.dynamics.motion import HULL, Motion
+from kitemj.dynamics.ground import clearance
+from kitemj.dynamics.motion import Motion
 from kitemj.physics.compiled import Array, compiled, law
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import Rotation, Vector, plus, unrotated
 
 X, Y, Z, ALPHA, BETA, CLEARANCE, TENSIONS = range(7)
 """Columns: G [m, E], angles [rad], lowest corner above ground [m]; from the last on what each
@@ -31,18 +31,6 @@ def _present(flight: Any, t: float) -> Motion:
 
 carry, carry_law = law(_carry)
 present, present_law = law(_present)
-
-
-@compiled
-def clearance(chord: float, span: float, p_G_E: Vector, R_BE: Rotation) -> float:
-    """Height [m] above ground of the lowest corner of a hull of `chord` x `span` [m]."""
-    lowest = np.inf
-    for a in (-0.5, 0.5):
-        for b in (-0.5, 0.5):
-            for c in (-HULL, HULL):
-                corner = plus(p_G_E, unrotated(R_BE, Vector(a * chord, b * span, c)))
-                lowest = min(lowest, -corner.z)
-    return lowest
 
 
 @compiled
@@ -65,7 +53,7 @@ def rows_at(flight: Any, parameters: Parameters, times: Array, touch: float, lin
             row[TENSIONS + k] = motion.lines[k].tension_kite
         row[ALPHA], row[BETA] = motion.air.alpha, motion.air.beta
         row[CLEARANCE] = clearance(kite.chord, kite.span, body.p_G_E, body.R_BE)
-        if not (isfinite(row[X]) and isfinite(row[TENSIONS])):
+        if not isfinite(np.sum(row)):
             return rows[:i]
         if row[CLEARANCE] < touch:
             return rows[: i + 1]

@@ -68,7 +68,7 @@ class Engine(NamedTuple):
     The engine's own arrays, by reference; then, for each line's constraint
     J q̈ = -damping J q̇ - stiffness (length - target) - R f, its constants, and `softness`,
     R f of the evaluation before (negative while the line pulls), and room for the
-    stages and for what a step began with.
+    stages, and for what a step began with and what the search for the ground goes back to.
     """
 
     model: int
@@ -92,6 +92,7 @@ class Engine(NamedTuple):
     total: Array
     before: Array
     softness_before: Array
+    kept: Array
 
 
 def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
@@ -124,6 +125,7 @@ def build(parameters: Parameters, step: float) -> tuple[Any, Any, Engine]:
         *(data.ten_length, data.ten_velocity, model.tendon_length0),
         *(K * impedance, b.copy(), data.efc_R[:2].copy(), np.zeros(2)),
         *(np.zeros(13), np.zeros(13), np.zeros(13), np.zeros(13), np.zeros(2)),
+        np.zeros(17),
     )
     return model, data, engine
 

@@ -22,6 +22,9 @@ DEFAULT_STEP = 0.002
 MAX_STEP = 0.1
 """s; the fastest motion of a kite of this size would not be resolved beyond."""
 
+MIN_STEP = 1e-6
+"""s; a second is a million of them, and shorter ones add no digit."""
+
 
 class Instant(NamedTuple):
     """The accelerations at one state.
@@ -62,7 +65,10 @@ class Model(Protocol):
         """Flies on for `duration` [s] in equal steps not longer than the model's own."""
 
     def motion(self, programme: Programme) -> Motion:
-        """The present instant as pictures and tables show it."""
+        """The present instant as pictures and tables show it, all of it finite.
+
+        Raises FlightError where that would not be (`kitemj.dynamics.motion.told`).
+        """
 
     @property
     def state(self) -> State:
@@ -75,7 +81,11 @@ class Model(Protocol):
         """Back to a snapshot of a model with the same parameters and step."""
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], ascending, not before now; the last becomes now."""
+        """The motion at each of `times` [s], ascending, not before now; the last becomes now.
+
+        The flight ends where the kite touches the ground (`kitemj.dynamics.ground`): the last
+        motion is then that of the touch. Raises FlightError with what was flown until then.
+        """
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """The flight from its start through `times` (n,) [s] at one go: rows of `batch.py`.
@@ -97,10 +107,12 @@ MODELS: Registry[type[Model]] = Registry(
 
 
 def check_model(name: str, step: float) -> None:
-    """Raises InputError for an unknown model, and a step [s] that is not positive, or too long."""
+    """Raises InputError for an unknown model, and a step [s] that is too short, or too long."""
     MODELS.check(name)
     if not 0 < step <= MAX_STEP:
         raise InputError(f"`step` must be > 0 s and <= {MAX_STEP} s, got {step} s")
+    if step < MIN_STEP:
+        raise InputError(f"`step` must be >= {MIN_STEP:g} s, got {step} s: shorter is no better")
 
 
 def make_model(name: str, parameters: Parameters, step: float = DEFAULT_STEP) -> Model:

@@ -1,26 +1,29 @@
 """The Lagrangian model in flight: fixed steps beside a live flight, adaptive for a trajectory."""
 
-from math import ceil
+from math import ceil, cos, degrees, inf, isfinite
 from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
+from kitemj.dynamics.adaptive import Room, carried, end_law, room_for, system_law
 from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
+from kitemj.dynamics.ground import above, down_to_ground
 from kitemj.dynamics.lagrange import accelerations, body, spatial
-from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines
+from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, straight_lines, told
 from kitemj.errors import FlightError
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Angles
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.rig import TWO_LINES
+from kitemj.physics.rig import TWO_LINES, Rig
 from kitemj.physics.steering import Control, Programme, control
 
-RTOL, TOLERANCE = 1e-12, 1e-13
-"""Relative and absolute error of a step, of q [rad] and q̇ [rad/s]: three orders below what
-0.1 µm on a 200 m line asks for."""
+TOLERANCE = 1e-13
+"""Of q [rad] and q̇ [rad/s], for one adaptive step: three orders below what 0.1 µm on a 200 m
+line asks for."""
+EDGE = 0.03
+"""cos γ; nearer to 90° numbers are lost to the coordinates, if they are lost."""
 
 
 @compiled
@@ -88,10 +91,11 @@ def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> In
 
 
 class LagrangeSystem(NamedTuple):
-    """What the right-hand side depends on."""
+    """What the right-hand side depends on, and whether the flight ends on the ground."""
 
     parameters: Parameters
     programme: Programme
+    lands: bool = False
 
 
 class LagrangeFlight(NamedTuple):
@@ -118,6 +122,16 @@ def rates(system: LagrangeSystem, t: float, x: Array, out: Array) -> None:
     out[4], out[5], out[6], out[7] = a.phi, a.gamma, a.eta, a.theta
 
 
+@end_law.of(LagrangeSystem)
+@compiled
+def room_below(system: LagrangeSystem, t: float, x: Array) -> float:
+    """How far [m] the hull is above the ground, if that ends the flight."""
+    if not system.lands:
+        return inf
+    (q, v), c = state_of(x), control(system.programme, t)
+    return above(system.parameters, body(system.parameters, q, v, c))
+
+
 @carry_law.of(LagrangeFlight)
 @compiled
 def carry(flight: LagrangeFlight, t: float, end: float) -> float:
@@ -129,7 +143,7 @@ def carry(flight: LagrangeFlight, t: float, end: float) -> float:
 @compiled
 def present(flight: LagrangeFlight, t: float) -> Motion:
     """The flight at its present time `t` [s]."""
-    parameters, programme = flight.system
+    parameters, programme, _ = flight.system
     return motion_at(parameters, programme, t, state_of(flight.room.x))
 
 
@@ -139,7 +153,8 @@ class LagrangeKite:
     `step` [s] is the longest step of `advance`; `trajectory` and `batch` choose their own.
     """
 
-    name, rigs = "lagrange", (TWO_LINES,)
+    name = "lagrange"
+    rigs: tuple[Rig, ...] = (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
         self.parameters, self.step, self.t = parameters, step, 0.0
@@ -154,15 +169,20 @@ class LagrangeKite:
         return instant_at(self.parameters, control, t, state)
 
     def advance(self, programme: Programme, duration: float) -> None:
-        """Flies on for `duration` [s] in equal Runge-Kutta steps."""
-        steps = max(1, ceil(duration / self.step - 1e-9))
+        """Flies on for `duration` [s] in equal Runge-Kutta steps.
+
+        Raises FlightError where the coordinates end (γ = ±90°) or the numbers leave the finite.
+        """
+        steps, before = max(1, ceil(duration / self.step - 1e-9)), self.state
         h = duration / steps
-        self.state = flown(self.parameters, programme, self.t, self.state, steps, h)
+        self.state = flown(self.parameters, programme, self.t, before, steps, h)
         self.t += duration
+        if not isfinite(sum(self.state.q_dot)):
+            raise FlightError(self.name, self.t, _why_not(before), [])
 
     def motion(self, programme: Programme) -> Motion:
-        """The present instant."""
-        return motion_at(self.parameters, programme, self.t, self.state)
+        """The present instant; raises FlightError where it is not finite."""
+        return told(self.name, motion_at(self.parameters, programme, self.t, self.state))
 
     def snapshot(self) -> Snapshot:
         """q and q̇."""
@@ -173,38 +193,37 @@ class LagrangeKite:
         self.t, self.state = kept.t, State(Angles(*kept.numbers[:4]), Angles(*kept.numbers[4:]))
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], by scipy's DOP853: an integrator of others.
+        """The motion at each of `times` [s] down to the ground, by DOP853 with error control.
 
         Raises FlightError, with what was flown until then, where the equations become
         singular (γ = ±90°) or diverge.
         """
-        from scipy.integrate import solve_ivp
+        flight = self._adaptive(programme, TOLERANCE, lands=True)
 
-        system, x = LagrangeSystem(self.parameters, programme), self._x()
+        def fly(end: float) -> None:
+            self.t = carry(flight, self.t, end)
+            self.state = state_of(flight.room.x)
+            if self.t < end and not room_below(flight.system, self.t, flight.room.x) < 0.0:
+                raise FlightError(self.name, self.t, _why_not(self.state), [])
 
-        def derivative(t: float, x: Array) -> Array:
-            out = np.empty(8)
-            rates(system, t, x, out)
-            return out
-
-        if not np.isfinite(derivative(self.t, x)).all():  # scipy would never return
-            raise FlightError(self.name, self.t, "the motion is not a number", [])
-        span = self.t, times[-1]
-        found = solve_ivp(derivative, span, x, "DOP853", times, rtol=RTOL, atol=TOLERANCE)
-        motions: list[Motion] = []
-        for self.t, x in zip(found.t.tolist(), found.y.T, strict=True):
-            self.state = state_of(np.ascontiguousarray(x))
-            motions.append(self.motion(programme))
-        if not found.success:
-            raise FlightError(self.name, self.t, found.message, motions)
-        return motions
+        return down_to_ground(self, fly, programme, times)
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `rows_at`; `tolerance` of each step in q [rad] and q̇ [rad/s]."""
-        system = LagrangeSystem(self.parameters, programme)
-        flight = LagrangeFlight(system, room_for(self._x()), tolerance)
+        flight = self._adaptive(programme, tolerance, lands=False)
         return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
-    def _x(self) -> Array:
-        """(q, q̇) in a row, (8,)."""
-        return np.array([*self.state.q, *self.state.q_dot])
+    def _adaptive(self, programme: Programme, tolerance: float, *, lands: bool) -> LagrangeFlight:
+        x = np.array([*self.state.q, *self.state.q_dot])
+        system = LagrangeSystem(self.parameters, programme, lands)
+        return LagrangeFlight(system, room_for(x), tolerance)
+
+
+def _why_not(last: State) -> str:
+    """Why a flight cannot go on from its `last` state, in words."""
+    if abs(cos(last.q.gamma)) > EDGE:
+        return "the motion is not a number, or too quick for any step"
+    return (
+        f"γ = {degrees(last.q.gamma):.2f}° is too near 90°, where φ and η turn about one axis: "
+        f"these coordinates would keep less than half of their digits; ask newton-euler or mujoco"
+    )

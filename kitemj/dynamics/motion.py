@@ -1,7 +1,10 @@
 """One instant of a flight, as every model tells it: pose, velocity, lines, air."""
 
+from itertools import chain
+from math import isfinite
 from typing import NamedTuple
 
+from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.frames import Angles, angles
 from kitemj.physics.kite import Kite
@@ -70,6 +73,29 @@ class Motion(NamedTuple):
     def lengths(self) -> tuple[float, ...]:
         """How much of each line is paid out [m]."""
         return tuple(line.length for line in self.lines)
+
+
+def told(model: str, motion: Motion) -> Motion:
+    """`motion`, as `model` tells it: the one way out of a model.
+
+    Raises FlightError that names the first number that is not finite.
+    """
+    body, lines = motion.body, motion.lines
+    for name, numbers in (
+        ("coordinates", motion.q or ()),
+        ("position", body.p_G_E),
+        ("attitude", chain(*body.R_BE)),
+        ("velocity", chain(body.v_G_E, body.omega_B)),
+        ("length of a line", motion.lengths),
+        ("tension of a line", chain(*(line[1:3] for line in lines))),
+        ("path of a line", chain(*chain(*(line.points for line in lines)))),
+        ("air at the kite", motion.air),
+        ("hands", motion.control),
+    ):
+        if not all(map(isfinite, numbers)):
+            reason = f"the numbers left the finite ({name}); a shorter step may help"
+            raise FlightError(model, motion.t, reason, [])
+    return motion
 
 
 class Snapshot(NamedTuple):

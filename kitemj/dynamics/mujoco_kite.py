@@ -4,7 +4,7 @@ Classical Runge-Kutta of the 13 numbers (position, quaternion, velocity, body ra
 line targets and aerodynamic wrench written anew at each of the four stages.
 """
 
-from math import ceil, isfinite, sqrt
+from math import ceil, sqrt
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,16 +13,24 @@ from numpy.typing import NDArray
 from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.engine import Engine, body_of, build, place
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
-from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
+from kitemj.dynamics.ground import CLOSE, above, down_to_ground
+from kitemj.dynamics.motion import (
+    Motion,
+    Snapshot,
+    State,
+    air_of,
+    angles_of,
+    straight_lines,
+    told,
+)
 from kitemj.dynamics.slack import TAUT, catch, release, run_out, slack_excess
 from kitemj.dynamics.straight import q_ddot_of, state_of, straight_body
 from kitemj.dynamics.taut import evaluate, settle, tensions
-from kitemj.errors import FlightError
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import world
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.rig import TWO_LINES
+from kitemj.physics.rig import TWO_LINES, Rig
 from kitemj.physics.steering import Control, Programme, Segment, control
 from kitemj.physics.vectors import Vector
 
@@ -30,7 +38,7 @@ MAX_CATCHES = 8
 """In one step; what is left of the step then goes on without looking for more."""
 
 SEARCH = 40
-"""Trials, at most, in search of the moment at which a line runs out."""
+"""Trials, at most, in search of the moment at which a line runs out, or the kite is down."""
 
 
 @compiled
@@ -161,6 +169,62 @@ def flown(
 
 
 @compiled
+def _exchange(engine: Engine, back: bool) -> None:
+    """Keeps what a step begins with in ``engine.kept``, or goes `back` to it."""
+    kept = engine.kept
+    for i in range(2):
+        if back:
+            engine.softness[i], engine.eq_active[i] = kept[13 + i], np.uint8(kept[15 + i])
+        else:
+            kept[13 + i], kept[15 + i] = engine.softness[i], engine.eq_active[i]
+    if back:
+        _write(engine, kept)
+    else:
+        _read(engine, kept)
+
+
+@compiled
+def flown_down(
+    engine: Engine, parameters: Parameters, programme: Programme, t: float, steps: int, h: float
+) -> float:
+    """As `flown`, but at most to where the kite touches the ground; the time [s] reached.
+
+    It is then no more than `CLOSE` beyond `TOUCH`: regula falsi, Illinois variant.
+    """
+    over_early, over, now = above(parameters, body_of(engine)), 0.0, t
+    if over_early < 0.0:
+        return t
+    for i in range(steps):
+        now = t + i * h
+        _exchange(engine, back=False)
+        step(engine, parameters, programme, now, h)
+        over = above(parameters, body_of(engine))
+        if over < 0.0:
+            break
+        over_early = over
+    else:
+        return t + steps * h
+    part, early, late, over_late, side = h, 0.0, h, over, 0
+    for _ in range(SEARCH):
+        if -CLOSE <= over < 0.0:
+            break
+        aim = (over_early + CLOSE / 2) / (over_early - over_late)
+        part = early + (late - early) * aim
+        _exchange(engine, back=True)
+        step(engine, parameters, programme, now, part)
+        over = above(parameters, body_of(engine))
+        if over < 0.0:
+            late, over_late = part, over
+            over_early = 0.5 * over_early if side == 1 else over_early
+            side = 1
+        else:
+            early, over_early = part, over
+            over_late = 0.5 * over_late if side == -1 else over_late
+            side = -1
+    return now + part
+
+
+@compiled
 def put(
     engine: Engine, parameters: Parameters, programme: Programme, t: float, state: State
 ) -> None:
@@ -227,11 +291,11 @@ class MujocoKite:
     """A free rigid body; each line is exactly straight, or slack.
 
     `step` [s] is the longest step; 2 ms holds micrometres in any flight, 20 ms a tenth of
-    a millimetre in a calm one. Raises nothing while flying: a kite that diverged shows
-    as non-numbers, and `advance` says so with a FlightError.
+    a millimetre in a calm one.
     """
 
-    name, rigs = "mujoco", (TWO_LINES,)
+    name = "mujoco"
+    rigs: tuple[Rig, ...] = (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
         self.parameters, self.step, self.t = parameters, step, 0.0
@@ -255,17 +319,14 @@ class MujocoKite:
         return state_of(self.parameters, body_of(self._engine))
 
     def advance(self, programme: Programme, duration: float) -> None:
-        """Flies on for `duration` [s]; raises FlightError where the numbers leave the finite."""
+        """Flies on for `duration` [s]."""
         steps = max(1, ceil(duration / self.step - 1e-9))
         flown(self._engine, self.parameters, programme, self.t, steps, duration / steps)
         self.t += duration
-        if not isfinite(self._engine.qpos[0]):
-            reason = "the state is no longer finite; a shorter step may help"
-            raise FlightError("mujoco", self.t, reason, [])
 
     def motion(self, programme: Programme) -> Motion:
-        """The present instant."""
-        return motion_at(self._engine, self.parameters, programme, self.t)
+        """The present instant; raises FlightError where it is not finite."""
+        return told(self.name, motion_at(self._engine, self.parameters, programme, self.t))
 
     def snapshot(self) -> Snapshot:
         """qpos, qvel, each line's switch and R f, and where the engine's solver starts from."""
@@ -283,17 +344,19 @@ class MujocoKite:
         return e.qpos, e.qvel, e.eq_active, e.softness, self._data.qacc_warmstart
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], stepped from one to the next."""
-        motions: list[Motion] = []
-        for t in times:
-            if t > self.t:
-                try:
-                    self.advance(programme, t - self.t)
-                except FlightError as error:
-                    raise FlightError(self.name, t, error.reason, motions) from None
-                self.t = t
-            motions.append(self.motion(programme))
-        return motions
+        """The motion at each of `times` [s] down to the ground, stepped from one to the next.
+
+        Raises FlightError, with what was flown until then, where it is not finite.
+        """
+
+        def fly(end: float) -> None:
+            steps = max(1, ceil((end - self.t) / self.step - 1e-9))
+            where, h = (self._engine, self.parameters, programme), (end - self.t) / steps
+            reached = flown_down(*where, self.t, steps, h)
+            landed = above(self.parameters, body_of(self._engine)) < 0.0
+            self.t = reached if landed else end
+
+        return down_to_ground(self, fly, programme, times)
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `rows_at`; in the model's own steps, `tolerance` is for others."""

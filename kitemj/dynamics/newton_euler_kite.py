@@ -1,14 +1,23 @@
 """The Newton-Euler model in flight: fixed steps beside a live flight, adaptive for a trajectory."""
 
-from math import ceil
+from math import ceil, inf
 from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.dynamics.adaptive import Room, carried, room_for, system_law
+from kitemj.dynamics.adaptive import Room, carried, end_law, room_for, system_law
 from kitemj.dynamics.batch import carry_law, present_law, rows_at
 from kitemj.dynamics.formulation import DEFAULT_STEP, Instant
-from kitemj.dynamics.motion import Motion, Snapshot, State, air_of, angles_of, straight_lines
+from kitemj.dynamics.ground import above, down_to_ground
+from kitemj.dynamics.motion import (
+    Motion,
+    Snapshot,
+    State,
+    air_of,
+    angles_of,
+    straight_lines,
+    told,
+)
 from kitemj.dynamics.newton_euler import (
     Free,
     accelerations,
@@ -24,7 +33,7 @@ from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.frames import Quaternion
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.rig import TWO_LINES
+from kitemj.physics.rig import TWO_LINES, Rig
 from kitemj.physics.steering import Control, Programme, Segment, control
 from kitemj.physics.vectors import Vector
 
@@ -33,10 +42,11 @@ TOLERANCE = 1e-12
 
 
 class NewtonEulerSystem(NamedTuple):
-    """What the right-hand side depends on."""
+    """What the right-hand side depends on, and whether the flight ends on the ground."""
 
     parameters: Parameters
     programme: Programme
+    lands: bool = False
 
 
 class NewtonEulerFlight(NamedTuple):
@@ -75,6 +85,13 @@ def put_rates(system: NewtonEulerSystem, t: float, x: Array, out: Array) -> None
     put(rates(system.parameters, system.programme, t, free(x)), out)
 
 
+@end_law.of(NewtonEulerSystem)
+@compiled
+def room_below(system: NewtonEulerSystem, t: float, x: Array) -> float:
+    """How far [m] the hull is above the ground, if that ends the flight."""
+    return above(system.parameters, body_of(free(x))) if system.lands else inf
+
+
 @compiled
 def motion_of(parameters: Parameters, programme: Programme, t: float, y: Free) -> Motion:
     """All that is told of one instant."""
@@ -98,7 +115,7 @@ def instant_at(parameters: Parameters, c: Control, t: float, state: State) -> In
 @compiled
 def carry(flight: NewtonEulerFlight, t: float, end: float) -> float:
     """On from time `t` to `end` [s] and back on the lines; the time that was reached."""
-    (parameters, programme), room, tolerance = flight
+    (parameters, programme, _), room, tolerance = flight
     reached = carried(flight.system, room, t, end, tolerance)
     put(corrected(parameters, programme, reached, free(room.x)), room.x)
     return reached
@@ -117,7 +134,8 @@ class NewtonEulerKite:
     `step` [s] is the longest step of `advance`; `trajectory` and `batch` choose their own.
     """
 
-    name, rigs = "newton-euler", (TWO_LINES,)
+    name = "newton-euler"
+    rigs: tuple[Rig, ...] = (TWO_LINES,)
 
     def __init__(self, parameters: Parameters, step: float = DEFAULT_STEP) -> None:
         self.parameters, self.step, self.t = parameters, step, 0.0
@@ -144,8 +162,8 @@ class NewtonEulerKite:
         self.t += duration
 
     def motion(self, programme: Programme) -> Motion:
-        """The present instant."""
-        return motion_of(self.parameters, programme, self.t, self._y)
+        """The present instant; raises FlightError where it is not finite."""
+        return told(self.name, motion_of(self.parameters, programme, self.t, self._y))
 
     def snapshot(self) -> Snapshot:
         """Position, attitude and both velocities."""
@@ -158,28 +176,29 @@ class NewtonEulerKite:
         self.t, self._y = kept.t, free(np.array(kept.numbers))
 
     def trajectory(self, programme: Programme, times: list[float]) -> list[Motion]:
-        """The motion at each of `times` [s], by DOP853 with error control.
+        """The motion at each of `times` [s] down to the ground, by DOP853 with error control.
 
         Raises FlightError, with what was flown until then, where the integrator cannot go on.
         """
-        flight = self._adaptive(programme, TOLERANCE)
-        motions: list[Motion] = []
-        for time in times:
-            if time > self.t:
-                reached = carry(flight, self.t, time)
-                if reached < time:
-                    reason = "the motion is not a number, or too quick for any step"
-                    raise FlightError(self.name, self.t, reason, motions)
-                self.t, self._y = time, free(flight.room.x)
-            motions.append(self.motion(programme))
-        return motions
+        flight = self._adaptive(programme, TOLERANCE, lands=True)
+
+        def fly(end: float) -> None:
+            self.t = carry(flight, self.t, end)
+            self._y = free(flight.room.x)
+            if self.t < end and not above(self.parameters, body_of(self._y)) < 0.0:
+                reason = "the motion is not a number, or too quick for any step"
+                raise FlightError(self.name, self.t, reason, [])
+
+        return down_to_ground(self, fly, programme, times)
 
     def batch(self, programme: Programme, times: Array, touch: float, tolerance: float) -> Array:
         """Rows of `rows_at`; `tolerance` of each step in each of the 13 numbers."""
-        flight = self._adaptive(programme, tolerance)
+        flight = self._adaptive(programme, tolerance, lands=False)
         return rows_at(flight, self.parameters, times, touch, len(TWO_LINES.lines))
 
-    def _adaptive(self, programme: Programme, tolerance: float) -> NewtonEulerFlight:
-        system, x = NewtonEulerSystem(self.parameters, programme), np.empty(13)
+    def _adaptive(
+        self, programme: Programme, tolerance: float, *, lands: bool
+    ) -> NewtonEulerFlight:
+        system, x = NewtonEulerSystem(self.parameters, programme, lands), np.empty(13)
         put(self._y, x)
         return NewtonEulerFlight(system, room_for(x), tolerance)

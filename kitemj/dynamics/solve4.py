@@ -21,7 +21,7 @@ class Symmetric(NamedTuple):
 
 
 class Four(NamedTuple):
-    """A right-hand side, or a solution."""
+    """A right-hand side."""
 
     a: float
     b: float
@@ -29,8 +29,21 @@ class Four(NamedTuple):
     d: float
 
 
+class Solution(NamedTuple):
+    """x, and the least part of a diagonal element that the elimination left of it.
+
+    -log₁₀ `kept` digits are lost: x is off by about 2e-16 / `kept`, relatively.
+    """
+
+    a: float
+    b: float
+    c: float
+    d: float
+    kept: float
+
+
 @compiled
-def solved(m: Symmetric, f: Four) -> Four:
+def solved(m: Symmetric, f: Four) -> Solution:
     """x of M x = f by M = L D Lᵀ; numpy.linalg.solve would allocate and take 20 times as long."""
     ba, ca, da = m.ab / m.aa, m.ac / m.aa, m.ad / m.aa
     b = m.bb - ba * m.ab
@@ -44,4 +57,5 @@ def solved(m: Symmetric, f: Four) -> Four:
     x_d = y_d / d
     x_c = y_c / c - dc * x_d
     x_b = y_b / b - cb * x_c - db * x_d
-    return Four(f.a / m.aa - ba * x_b - ca * x_c - da * x_d, x_b, x_c, x_d)
+    kept = min(b / m.bb, c / m.cc, d / m.dd)
+    return Solution(f.a / m.aa - ba * x_b - ca * x_c - da * x_d, x_b, x_c, x_d, kept)

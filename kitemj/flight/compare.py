@@ -8,7 +8,8 @@ import numpy as np
 
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
-from kitemj.flight.limits import SLACK, first_departure
+from kitemj.flight.limits import GROUND, SLACK, first_departure
+from kitemj.flight.restless import restless
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import Simulation, simulate
 from kitemj.progress_bar import with_progress
@@ -19,6 +20,8 @@ ATTITUDE_TOLERANCE = 1e-6
 """rad; half a kite's span turned by it moves the tips by less than POSITION_TOLERANCE x 3."""
 TENSION_TOLERANCE = 0.01
 """N; the engine's force is that of its last settled evaluation: 10⁻⁴ of a line's 50 N."""
+STILL = 1e-3
+"""m; a kite that never gets further from its start is at rest: rounding moves it by 10⁻¹³."""
 
 
 class Gap(NamedTuple):
@@ -31,10 +34,10 @@ class Gap(NamedTuple):
 class Comparison(NamedTuple):
     """Largest gaps of `model` to `reference`: position [m], attitude [rad], tension [N].
 
-    `until` [s]: where a line of either goes slack or a kite touches the ground, or the end:
-    what comes after is not compared, because rigid lines and real ones part there
-    (unless `lines.rigid`). `valid`
-    [s]: the first departure from any limit of validity, up to which agreement is claimed.
+    `until` [s]: the last row before a line of either goes slack (unless `lines.rigid`) or a kite
+    touches the ground, or the end: rigid lines and real ones part there. `valid` [s]: the first
+    departure from any limit of validity, up to which agreement is claimed. `moved` [m]: how far
+    from its start the reference got until then.
     """
 
     scenario: str
@@ -42,18 +45,29 @@ class Comparison(NamedTuple):
     reference: str
     until: float
     valid: float
+    moved: float
     position: Gap
     attitude: Gap
     tension: Gap
 
     @property
     def agrees(self) -> bool:
-        """Whether all three are within their tolerances."""
+        """Whether something was compared, and all three are within their tolerances."""
         return (
-            self.position.value <= POSITION_TOLERANCE
+            self.until > 0.0
+            and self.position.value <= POSITION_TOLERANCE
             and self.attitude.value <= ATTITUDE_TOLERANCE
             and self.tension.value <= TENSION_TOLERANCE
         )
+
+    @property
+    def verdict(self) -> str:
+        """`agrees` in words; a kite that never moved shows nothing of how it moves."""
+        if self.until == 0.0:
+            return "nothing compared"
+        if not self.agrees:
+            return "NO"
+        return "at rest" if self.moved <= STILL else "yes"
 
 
 def position_gap(a: Motion, b: Motion) -> float:
@@ -75,19 +89,19 @@ def tension_gap(a: Motion, b: Motion) -> float:
 def compare(flight: Simulation, reference: Simulation) -> Comparison:
     """Gaps between two flights of one scenario, row by row.
 
-    Raises InputError where a line is slack at once, so that nothing can be compared.
+    Raises InputError where a line is slack or the kite on the ground at once, so that nothing
+    can be compared.
     """
     pairs, parameters = [], flight.scenario.parameters
-    rigid = parameters.lines.rigid
+    parting = (GROUND,) if parameters.lines.rigid else (GROUND, SLACK)
     for a, b in zip(flight.motions, reference.motions, strict=False):
-        if not rigid and first_departure(parameters, (a, b), (SLACK,)):
-            break
+        if first_departure(parameters, (a, b), parting):
+            break  # of a touch, each tells its own moment
         pairs.append((a, b))
     if not pairs:
-        raise InputError(
-            f"in {flight.scenario.source} a line is slack at the start, so that there is nothing "
-            f"to compare; start the lines more gently"
-        )
+        parted = "a line is slack or the kite on the ground at the start; start more gently"
+        why = flight.note or reference.note or parted
+        raise InputError(f"there is nothing to compare in {flight.scenario.source}: {why}")
     end = pairs[-1][0].t
     departures = [f.departure.t for f in (flight, reference) if f.departure]
 
@@ -102,6 +116,7 @@ def compare(flight: Simulation, reference: Simulation) -> Comparison:
         reference.model,
         end,
         min([end, *departures]),
+        max(position_gap(b, pairs[0][1]) for _, b in pairs),
         largest(position_gap),
         largest(attitude_gap),
         largest(tension_gap),
@@ -109,7 +124,11 @@ def compare(flight: Simulation, reference: Simulation) -> Comparison:
 
 
 def compare_models(scenario: Scenario, models: Sequence[str], step: float) -> list[Comparison]:
-    """Each of `models` against the last of them, which is the reference."""
+    """Each of `models` against the last of them, which is the reference.
+
+    A scenario that names no steering programme is flown with restless hands.
+    """
+    scenario = scenario if scenario.steered else restless(scenario)
     shown = with_progress(f"flying {scenario.source}", models, len(models))
     flights = [simulate(scenario, model, step) for model in shown]
     return [compare(flight, flights[-1]) for flight in flights[:-1]]

@@ -18,8 +18,9 @@ HEADINGS = (
     *("attitude [µrad]", "at [s]", "tension [mN]", "at [s]", "agree"),
 )
 COLUMNS = (
-    *("scenario", "model", "reference", "until_s", "valid_s", "position_m", "position_at_s"),
-    *("attitude_rad", "attitude_at_s", "tension_N", "tension_at_s", "agree"),
+    *("scenario", "model", "reference", "until_s", "valid_s", "moved_m"),
+    *("position_m", "position_at_s", "attitude_rad", "attitude_at_s", "tension_N", "tension_at_s"),
+    *("verdict", "agree"),
 )
 RUNG_HEADINGS = ("rung", "model", "measured", "limit", "unit", "holds")
 RUNG_COLUMNS = ("scenario", "rung", "model", "measured", "limit", "unit", "at_least", "holds")
@@ -31,7 +32,8 @@ TOLERANCES = {
 TOLERANCES_TOLD = (
     f"Tolerances: position {POSITION_TOLERANCE * 1e6:g} µm, attitude "
     f"{ATTITUDE_TOLERANCE * 1e6:g} µrad, tension {TENSION_TOLERANCE * 1e3:g} mN. Compared until "
-    "a line goes slack or the kite touches the ground; valid: within all limits until then."
+    "a line goes slack or the kite touches the ground; valid: within all limits until then. "
+    "At rest: the kite never moved, which shows nothing of how it moves."
 )
 
 
@@ -44,13 +46,14 @@ def _cells(row: Comparison) -> tuple[Cell, ...]:
     gaps = ((row.position, 1e6), (row.attitude, 1e6), (row.tension, 1e3))
     told = ((f"{gap.value * scale:.3g}", f"{gap.t:.1f}") for gap, scale in gaps)
     models, times = f"{row.model} / {row.reference}", (f"{row.until:.1f}", f"{row.valid:.1f}")
-    return (row.scenario, models, *times, *chain(*told), "yes" if row.agrees else "NO")
+    return (row.scenario, models, *times, *chain(*told), row.verdict)
 
 
 def comparison_numbers(rows: Sequence[Comparison]) -> Table:
     """For machines."""
     cells: list[tuple[Cell, ...]] = [
-        (*row[:5], *row.position, *row.attitude, *row.tension, row.agrees) for row in rows
+        (*row[:6], *row.position, *row.attitude, *row.tension, row.verdict, row.agrees)
+        for row in rows
     ]
     return Table("comparisons", COLUMNS, cells)
 

@@ -15,6 +15,7 @@ from kitemj.dynamics.motion import Motion, State
 from kitemj.errors import FlightError
 from kitemj.flight.agreement import imbalance, orders, relative, spatial_accelerations
 from kitemj.flight.compare import TENSION_TOLERANCE, compare, position_gap
+from kitemj.flight.restless import restless
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import Simulation, simulate
 from kitemj.physics.steering import control
@@ -64,7 +65,11 @@ class Rung(NamedTuple):
 
 
 def ladder(scenario: Scenario, step: float = DEFAULT_STEP) -> list[Rung]:
-    """Every other model (in steps of `step` [s]) against Lagrange's, rung by rung."""
+    """Every other model (in steps of `step` [s]) against Lagrange's, rung by rung.
+
+    A scenario that names no steering programme is flown with restless hands.
+    """
+    scenario = scenario if scenario.steered else restless(scenario)
     reference, instants = simulate(scenario, REFERENCE), _instants(scenario)
     rungs = []
     for model in reversed([name for name in MODELS if name != REFERENCE]):
@@ -87,6 +92,8 @@ def _instants(scenario: Scenario) -> list[tuple[float, State]]:
         try:
             kite.trajectory(scenario.programme, [t])
         except FlightError:
+            break
+        if kite.t < t:  # it is on the ground
             break
         found.append((t, kite.state))
     return found

@@ -14,13 +14,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS
-from kitemj.dynamics.batch import clearance as clearance_of
+from kitemj.dynamics.ground import TOUCH
+from kitemj.dynamics.ground import clearance as clearance_of
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Limits, Parameters
-
-TOUCH = 1e-3
-"""m; nearer than this to the ground the engine's contact is at work."""
 
 
 class Numbers(NamedTuple):

@@ -6,12 +6,11 @@ that tick. Nothing here knows of clocks or screens.
 """
 
 from collections.abc import Mapping
-from math import isfinite
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kitemj.dynamics.batch import clearance
 from kitemj.dynamics.formulation import DEFAULT_STEP, Model, make_model
+from kitemj.dynamics.ground import clearance
 from kitemj.dynamics.motion import Motion, Snapshot, State
 from kitemj.errors import FlightError
 from kitemj.flight.compare import position_gap
@@ -179,7 +178,9 @@ class SteeredFlight:
             self._following = False
         if not self.reference or not self._following:
             return TickResult(motion, None, wish, None, departure)
-        reference = self.reference.motion(self.segment)
-        if not isfinite(reference.body.p_G_E.x):
+        try:
+            reference = self.reference.motion(self.segment)
+        except FlightError:
+            self._following = False
             return TickResult(motion, None, wish, None, departure)
         return TickResult(motion, reference, wish, position_gap(motion, reference), departure)

@@ -3,11 +3,13 @@
 from multiprocessing.connection import Connection
 
 from kitemj.child import Child
+from kitemj.physics.code_folder import code_folder
 from kitemj.registry import own_modules, use
 
 
 def launch() -> Child:
     """A process that waits for a `FlightSetup`, and then sends the news of that flight."""
+    code_folder()  # settled here, not by both
     return Child(_run, own_modules())
 
 

@@ -98,11 +98,15 @@ class Alive(NamedTuple):
 
 
 class End(NamedTuple):
-    """The last news: what became of the recording; `error` is what ended the flight."""
+    """The last news: what became of the recording; `error` is what ended the flight.
+
+    `cut`: the disk did not take all that was to be recorded.
+    """
 
     recording: str
     error: str = ""
     bad_input: bool = False
+    cut: bool = False
 
 
 News = Ready | TickNews | Alive | End

@@ -37,8 +37,9 @@ class FlightProcess:
     """The flight of `setup`; launched at once, so that it loads meanwhile.
 
     `update` brings `result`, `times`, `touch`, `problem` and `memory` up to date (they are as in
-    `TickNews`); `command` is the last that was asked for, `recording` what became of that. What
-    is raised there is raised here: InputError, FlightError; and so is its silence.
+    `TickNews`); `command` is the last that was asked for, `recording` what became of that, and
+    `cut` whether the disk did not take all of it. What is raised there is raised here:
+    InputError, FlightError; and so is its silence.
     """
 
     def __init__(self, setup: FlightSetup, launched: Child | None = None) -> None:
@@ -48,7 +49,8 @@ class FlightProcess:
         self.touch: Touch | None = None
         self.problem, self.memory = "", 0.0
         self.result: TickResult
-        self.recording, self._ready, self._ended = "none", False, False
+        self.recording, self.cut = "none", False
+        self._ready, self._ended = False, False
         self.command, self._asked = Command(), dict[type, Wish]()
         self._heard: list[TickNews] = []
         self._t = 0.0  # s of flight that is known of
@@ -121,7 +123,7 @@ class FlightProcess:
 
     def _hear(self, news: News | None) -> None:
         if isinstance(news, End):
-            self.recording, self._ended = news.recording, True
+            self.recording, self.cut, self._ended = news.recording, news.cut, True
             if news.bad_input:
                 raise InputError(news.error)
             if news.error:

@@ -40,7 +40,7 @@ def _flown(setup: FlightSetup, link: Connection, told: Outbox) -> End:
         ending, error = Pacer(flight, partial(_wishes, link), told.put).run(setup.past), ""
     except Exception as reason:  # whoever paints is told
         ending = error = str(getattr(reason, "reason", reason))
-    return End(flight.close(ending), error)
+    return End(flight.close(ending), error, cut=flight.cut)
 
 
 def _wishes(link: Connection) -> Iterator[Wish]:

@@ -1,5 +1,6 @@
 """Executors of a study: processes of this machine, or the workers of a Dask cluster."""
 
+import asyncio
 import os
 import signal
 from collections.abc import Callable, Iterator
@@ -104,6 +105,15 @@ def executor_for(seconds: float, processes: int | None) -> Iterator[StudyExecuto
         yield executor
 
 
+async def _reach(address: str) -> None:
+    """Connects once, since a Dask client that cannot begin is half there and cries at the end."""
+    from distributed.comm import connect
+    from distributed.security import Security
+
+    secrets = Security().get_connection_args("client")
+    await (await connect(address, timeout=PATIENCE, **secrets)).close()
+
+
 @contextmanager
 def dask_executor(address: str) -> Iterator[StudyExecutor]:
     """The workers of the Dask scheduler at `address` (``tcp://host:8786``).
@@ -115,8 +125,9 @@ def dask_executor(address: str) -> Iterator[StudyExecutor]:
     except ImportError:
         raise InputError('a cluster needs dask: pip install "kitemj[cluster]"') from None
     try:
+        asyncio.run(_reach(address))
         client = Client(address, timeout=PATIENCE, set_as_default=False)
-    except (OSError, ValueError, TimeoutError) as error:
+    except Exception as error:  # of any kind: TypeError for a scheme that is not set up
         what, hint = f"no Dask scheduler answers at {address}", "start one with: dask scheduler"
         raise InputError(f"{what} ({error}); {hint}") from None
     with client:

@@ -9,7 +9,8 @@ import numpy as np
 
 from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS, X, Z
 from kitemj.dynamics.formulation import make_model
-from kitemj.flight.limits import SLACK, TOUCH, Ending, batch_numbers, departure_in
+from kitemj.dynamics.ground import TOUCH
+from kitemj.flight.limits import GROUND, SLACK, Ending, batch_numbers, departure_in
 from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameter_files import NAMED_BY
@@ -85,8 +86,9 @@ def failed(flight: int, point: Point, reason: str) -> Row:
 
 
 def _inputs(flight: int, point: Point) -> Row:
-    tables = {name: json.dumps(x) for name, x in point.items() if isinstance(x, (dict, list))}
-    return {"flight": flight, **point, **tables}
+    plain = (int, float, str)
+    texts = {k: json.dumps(x, default=str) for k, x in point.items() if not isinstance(x, plain)}
+    return {"flight": flight, **point, **texts}
 
 
 def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:
@@ -129,10 +131,11 @@ def _summary(scenario: Scenario, rows: Array) -> Row:
 
 
 def _gap(scenario: Scenario, rows: Array, reference: Array) -> Row:
-    """Largest distance [m] of the two, until a line of either is slack (see `compare`)."""
+    """Largest distance [m] of the two, before a line is slack or a kite down (see `compare`)."""
     limits, n = scenario.parameters.limits, min(len(rows), len(reference))
-    taut, too = (SLACK.kept(limits, batch_numbers(each[:n])) for each in (rows, reference))
-    n = int(np.logical_and.accumulate(taut & too).sum())
+    numbers = [batch_numbers(each[:n]) for each in (rows, reference)]
+    kept = [limit.kept(limits, each) for limit in (SLACK, GROUND) for each in numbers]
+    n = int(np.logical_and.accumulate(np.logical_and.reduce(kept)).sum())
     if n == 0:
         return {}
     gaps = np.linalg.norm(rows[:n, X : Z + 1] - reference[:n, X : Z + 1], axis=1)

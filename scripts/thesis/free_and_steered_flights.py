@@ -7,12 +7,12 @@ import numpy as np
 
 from kitemj.dynamics.batch import BETA
 from kitemj.dynamics.formulation import make_model
+from kitemj.dynamics.ground import TOUCH
 from kitemj.equilibria.cycle import Cycle, cycle
 from kitemj.equilibria.minimal import state_of
 from kitemj.equilibria.modes import crossings
 from kitemj.equilibria.trim import trimmed
 from kitemj.equilibria.vary import with_value
-from kitemj.flight.limits import TOUCH
 from kitemj.physics.compiled import Array as Rows
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters

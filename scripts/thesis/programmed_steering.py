@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from kitemj.dynamics.formulation import make_model
+from kitemj.dynamics.ground import TOUCH
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.limits import TOUCH
 from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.physics.compiled import Array

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from kitemj.drawing.alarms import INSTRUMENT
+from kitemj.dynamics.ground import TOUCH
 from kitemj.dynamics.lagrange_kite import motion_at
 from kitemj.dynamics.motion import hull_corners_B
 from kitemj.flight import limits
@@ -18,7 +19,6 @@ from kitemj.flight.limits import (
     SIDESLIP,
     SLACK,
     STALL,
-    TOUCH,
     TWIST,
     VALIDITY,
     Ending,

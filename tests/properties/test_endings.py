@@ -76,7 +76,7 @@ def test_diverged():
     flight = flown({"wind": {"speed": 3000.0}, "start": {"phi_dot": 1000.0}})
     assert flight.ending is Ending.DIVERGED
     assert flight.note == (
-        "mujoco cannot fly on after t = 0.100 s: the state is no longer finite; "
+        "mujoco cannot fly on after t = 0.100 s: the numbers left the finite (coordinates); "
         "a shorter step may help"
     )
     assert len(flight.motions) == 1, "what was flown until then is kept"
