@@ -5,6 +5,7 @@ is completed all the same, and nothing is left behind.
 """
 
 import signal
+from _thread import interrupt_main
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import wraps
@@ -58,6 +59,14 @@ def _receive(number: int, frame: FrameType | None) -> None:
         _Received.due = True
     else:
         raise KeyboardInterrupt
+
+
+def interrupt() -> None:
+    """Interrupts the main thread, from another."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(main_thread().ident or 0, signal.SIGINT)
+    else:
+        interrupt_main()
 
 
 @contextmanager
