@@ -15,7 +15,8 @@ test: .venv/ready ## style, types and tests
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	$(BIN)/pytest -q
+	$(BIN)/pytest -q -n 2 --dist loadfile -m "not alone"
+	$(BIN)/pytest -q -m alone
 
 manual: .venv/ready ## the manual, build/manual/index.html
 	$(BIN)/python -m sphinx -q -n -W docs build/manual

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 from kitemj.dynamics.formulation import DEFAULT_STEP, MODELS
@@ -131,11 +130,12 @@ def sweep(
     from kitemj.studies.result import StudyResult
     from kitemj.studies.study import as_study
     from kitemj.studies.sweep import check, sweep, tried
+    from kitemj.temporary import temporary_folder
 
     known = as_study(study)
     check(known)
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "study.parquet"
+    with temporary_folder() as folder:
+        path = folder / "study.parquet"
         with Journal(path, known) as journal:
             cost = tried(journal)
             flights = len(journal.done)

@@ -1,6 +1,6 @@
 """The command `kitemj`: thin; the subcommands are in `kitemj.commands`."""
 
-import os
+import errno
 import sys
 import time
 from collections.abc import Sequence
@@ -8,39 +8,81 @@ from importlib import import_module
 from importlib.metadata import version
 
 from kitemj.commands.arguments import Parser, add_command
-from kitemj.errors import FlightError, InputError, NoGraphics
+from kitemj.console import complain, flush, let_go, take_any_letter
+from kitemj.errors import NOT_WRITTEN, FlightError, InputError, NoGraphics, NothingFound
+from kitemj.last_resort import UNFORESEEN, report, reporting
 from kitemj.registry import use
+from kitemj.signals import orderly
 
 COMMANDS = (
     *("fly", "simulate", "compare", "film", "replay", "info", "plot", "limits"),
     *("trim", "stability", "sweep", "pad", "reach", "realtime", "thesis"),
 )
 
+REFUSED = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EROFS)
+"""The disk is full, or fails."""
+NAMED = (
+    *(FileExistsError, FileNotFoundError, PermissionError),
+    *(IsADirectoryError, NotADirectoryError),
+)
+"""A file is not what its name is given for."""
 
+
+@orderly
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs the command line; returns the exit status: 0 done, 1 a no, 2 bad input."""
+    """Runs the command line; returns the exit status.
+
+    0 done, 1 a no, 2 bad input, 70 a fault of the program's, 74 the system refused to write,
+    128 + n ended by signal n.
+    """
     called = time.perf_counter()
-    words = _parser().parse_args(arguments)
-    words.called = called
+    words = sys.argv[1:] if arguments is None else list(arguments)
+    take_any_letter()
     try:
-        for module in words.use:
-            use(module)
-        return int(words.run(words) or 0)
-    except InputError as error:
-        print(f"kitemj: {error.worded(words.parser.words)}", file=sys.stderr)
-        return 2
-    except (FileExistsError, FileNotFoundError, PermissionError) as error:
-        print(f"kitemj: {error}", file=sys.stderr)
-        return 2
-    except (FlightError, NoGraphics) as error:
-        print(f"kitemj: {error}", file=sys.stderr)
-        return 1
+        with reporting(words):
+            return _run(words, called)
     except BrokenPipeError:  # whoever read what we print has seen enough
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
-    except KeyboardInterrupt:
-        print("kitemj: interrupted; nothing was written", file=sys.stderr)
-        return 130
+    except (FlightError, NoGraphics) as error:
+        complain(str(error))
+        return 1
+    except MemoryError:
+        complain("there is not enough memory for this: ask for fewer rows, flights or pixels")
+        return UNFORESEEN
+    except OSError as error:
+        return _refused(error, words)
+    except Exception as error:
+        report(error, words)
+        return UNFORESEEN
+    finally:
+        let_go()
+
+
+def _run(words: Sequence[str], called: float) -> int:
+    """The exit status of the command that `words` ask for; InputErrors are told."""
+    args = _parser().parse_args(words)
+    args.called = called
+    try:
+        for module in args.use:
+            use(module)
+        status = int(args.run(args) or 0)
+        flush()
+    except InputError as error:
+        complain(error.worded(args.parser.words))
+        return 1 if isinstance(error, NothingFound) else 2
+    return status
+
+
+def _refused(error: OSError, words: Sequence[str]) -> int:
+    """The exit status for what the system does not do, which is told."""
+    if error.errno in REFUSED:
+        complain(f"cannot write {error.filename or 'standard output'}: {error.strerror}")
+        return NOT_WRITTEN
+    if isinstance(error, NAMED) or error.errno in (errno.ENAMETOOLONG, errno.ELOOP, errno.ENXIO):
+        complain(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+        return 2
+    report(error, words)
+    return UNFORESEEN
 
 
 def _parser() -> Parser:

@@ -4,6 +4,9 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+NOT_WRITTEN = 74
+"""The exit status where the system does not take what is written; EX_IOERR of sysexits.h."""
+
 
 class InputError(ValueError):
     """Bad input: what, the value with its unit, what is allowed, what to do.
@@ -19,6 +22,10 @@ class InputError(ValueError):
     def __str__(self) -> str:
         """The sentence, with each argument by its name."""
         return self.worded({})
+
+
+class NothingFound(InputError):  # noqa: N818  an answer
+    """What was looked for is not there: the answer is no, which is exit status 1."""
 
 
 class FlightError(RuntimeError):

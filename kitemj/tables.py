@@ -8,12 +8,15 @@ import csv
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
+from io import StringIO
 from math import isfinite
 from pathlib import Path
+from textwrap import wrap
 from typing import Any, NamedTuple, TypeVar
 
+from kitemj.console import printable
 from kitemj.errors import InputError
-from kitemj.files import new_file
+from kitemj.metadata import KEY, new_csv, told
 
 Cell = float | str | bool
 T = TypeVar("T")
@@ -23,6 +26,10 @@ WIDE = 8
 """Columns that fit side by side in a terminal."""
 PIPED = 200
 """Characters of a line that goes to a file or a pipe."""
+NOISE = 1e-13
+"""Angles and shares below are shown as 0: some hundred roundings of numbers of the size of 1."""
+MEASURED = 100_000
+"""Characters of a line in which any table fits, to see how many it needs."""
 
 
 UNITS = {
@@ -49,9 +56,13 @@ class Table(NamedTuple):
         """A dictionary for each row, as JSON has them."""
         return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
 
+    def texts(self) -> list[list[str]]:
+        """The rows for people: rounded, and noise of rounding is 0."""
+        return [list(map(_text, self.columns, row)) for row in self.rows]
+
     def html(self) -> str:
         """For a notebook: on its side if it is wide, as in a terminal."""
-        lines = [self.columns, *(tuple(map(_text, row)) for row in self.rows)]
+        lines: list[Sequence[str]] = [self.columns, *self.texts()]
         if len(self.columns) > WIDE:
             lines = list(zip(*lines, strict=True))
         body = "".join(
@@ -72,9 +83,9 @@ class Tabled:
 
     def in_short(self) -> str:
         """The first table in one line."""
-        title, _, rows = self.tables()[0]
-        told = "; ".join(" ".join(map(_text, row)) for row in rows)
-        return f"<{type(self).__name__} {title}: {told}>"
+        table = self.tables()[0]
+        told = "; ".join(map(" ".join, table.texts()))
+        return f"<{type(self).__name__} {table.title}: {told}>"
 
 
 class Results(list[T], Tabled):
@@ -97,28 +108,60 @@ def check_format(path: Path) -> None:
 
 
 def print_table(table: Table, most: int = WIDE) -> None:
-    """A table of more columns than `most` is shown on its side: a column for each row."""
+    """Prints a table for people; each number in it is whole, however narrow the terminal.
+
+    On its side, a column for each row, if it has more columns than `most` or does not fit; one
+    value a line where that does not fit either.
+    """
+    from rich.console import Console
+
+    console = Console()
+    width = console.width if console.is_terminal else PIPED
+    print("\n".join(lines_of(table, width, most)))
+
+
+def lines_of(table: Table, width: int, most: int = WIDE) -> list[str]:
+    """What `print_table` prints where lines of `width` characters fit."""
     from rich import box
     from rich.console import Console
+    from rich.measure import Measurement
     from rich.table import Table as Shown
 
-    wide = len(table.columns) > most
-    columns = () if wide else table.columns
-    shown = Shown(*columns, title=table.title, title_justify="left", box=box.SIMPLE)
-    shown.show_header = not wide
-    for line in zip(table.columns, *table.rows, strict=True) if wide else table.rows:
-        shown.add_row(*map(_text, line))
-    Console(width=None if Console().is_terminal else PIPED, markup=False).print(shown)
+    names = [printable(name) for name in table.columns]
+    rows = [list(map(printable, row)) for row in table.texts()]
+    title = _wrapped(printable(table.title), width)
+    console = Console(width=MEASURED, file=StringIO(), markup=False, highlight=False)
+    for wide in (False, True) if len(names) <= most else (True,):
+        shown = Shown(*([] if wide else names), box=box.SIMPLE, show_header=not wide)
+        for line in zip(names, *rows, strict=True) if wide else rows:
+            shown.add_row(*line)
+        if Measurement.get(console, console.options, shown).maximum <= width:
+            with console.capture() as text:
+                console.print(shown)
+            return [*title, *map(str.rstrip, printable(text.get()).splitlines())]
+    values = ([f"{name}: {cell}" for name, cell in zip(names, row, strict=True)] for row in rows)
+    return [
+        *title,
+        *(line for row in values for each in ["", *row] for line in _wrapped(each, width)),
+    ]
 
 
-def _text(cell: Cell) -> str:
-    return f"{cell:.7g}" if isinstance(cell, float) else str(cell)
+def _wrapped(text: str, width: int) -> list[str]:
+    """`text` in lines of `width`, or of one word that is longer."""
+    return wrap(text, width, break_long_words=False, break_on_hyphens=False) or [text]
+
+
+def _text(column: str, cell: Cell) -> str:
+    if not isinstance(cell, float):
+        return str(cell)
+    noise = unit_of_column(column) in ("rad", "deg") or column.startswith("share_")
+    return "0" if noise and abs(cell) < NOISE else f"{cell:.7g}"
 
 
 def markdown(table: Table) -> str:
     """The table in Markdown, without its title."""
-    lines = [table.columns, ["---"] * len(table.columns), *table.rows]
-    return "".join(f"| {' | '.join(map(_text, line))} |\n" for line in lines)
+    lines = [table.columns, ["---"] * len(table.columns), *table.texts()]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
 def json_text(tables: Iterable[Table], extra: Mapping[str, object]) -> str:
@@ -136,10 +179,20 @@ def _finite(value: Any) -> Any:
     return None if isinstance(value, float) and not isfinite(value) else value
 
 
-def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrite: bool) -> None:
-    """JSON holds all `tables` and `extra`; CSV and Parquet hold the first table."""
+def write(
+    path: Path,
+    tables: list[Table],
+    extra: Mapping[str, object],
+    overwrite: bool,
+    about: Mapping[str, object] | None = None,
+) -> None:
+    """JSON holds all `tables` and `extra`; CSV and Parquet hold the first table.
+
+    They say its title and what it is `about`, as `kitemj.metadata` has it.
+    """
     kind, first = path.suffix.lower(), tables[0]
-    with new_file(path, overwrite) as part:
+    about = {"holds": first.title, **(about or {})}
+    with new_csv(path, about, overwrite) as part:
         if kind == ".json":
             part.write_text(json_text(tables, extra) + "\n", encoding="utf-8")
         elif kind == ".csv":
@@ -150,4 +203,5 @@ def write(path: Path, tables: list[Table], extra: Mapping[str, object], overwrit
             from pyarrow import Table as Columns
             from pyarrow import parquet
 
-            parquet.write_table(Columns.from_pylist(first.records()), part)
+            columns = Columns.from_pylist(first.records())
+            parquet.write_table(columns.replace_schema_metadata({KEY: told(about)}), part)

@@ -14,12 +14,15 @@ from collections.abc import Iterable
 from importlib import import_module
 from pathlib import Path
 
-from attacks.victim import HARMS, Attack
+from attacks.victim import HARMS, Attack, warm
 from kitemj.files import new_file
 from kitemj.progress_bar import with_progress
 from kitemj.tables import Table, markdown, print_table
 
-KINDS = ("fields",)
+KINDS = (
+    *("fields", "tables", "arguments", "recordings"),
+    *("files", "disks", "journals", "sticks", "kills"),
+)
 """Files of `attacks`, each with `attacks()`."""
 
 
@@ -59,6 +62,7 @@ def chosen_attacks(kind: str, share: float, seed: int) -> list[Attack]:
 
 def harms_of(kind: str, attacks: list[Attack]) -> Iterable[tuple[Attack, str]]:
     """Each attack and the harm that it did ("" for none), in an empty folder of its own."""
+    warm()
     for attack in with_progress(kind, attacks, len(attacks)):
         with tempfile.TemporaryDirectory(prefix="attack-") as parent:
             folder = Path(parent) / "folder"

@@ -190,7 +190,7 @@ def flights(rounds: int) -> list[str]:
             with Journal(folder / "t", study) as journal:
                 sweep(journal, executor, 0.05)
             rows = journal.path.read_text().splitlines()[1:]
-            cost = sum(json.loads(row)["cost_s"] for row in rows) / len(rows)
+            cost = sum(json.loads(row.rpartition(" ")[0])["cost_s"] for row in rows) / len(rows)
             costs.setdefault(executor.workers, []).append(cost)
             journal.path.unlink()
 

@@ -27,17 +27,23 @@ ROOMS = (
 """Each room with those right below it; it may import these and all that they may."""
 
 GROUND = (
+    "child",
     "closing",
+    "console",
     "data_files",
     "errors",
     "files",
+    "locks",
+    "metadata",
     "mujoco_import",
     "progress_bar",
     "registry",
+    "signals",
     "tables",
+    "temporary",
 )
 """Root files below all rooms; they import one another only."""
-TOP = ("__init__", "__main__", "api", "cli")
+TOP = ("__init__", "__main__", "api", "cli", "last_resort")
 """Root files above all rooms, which no room imports; but the commands call the api."""
 
 FORMULATIONS = {

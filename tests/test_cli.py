@@ -48,12 +48,29 @@ def test_output_that_exists_is_left_alone_until_asked(short, tmp_path, capsys):
     assert output.read_text().startswith("t_s,")
 
 
+MAP = ["--map", "kite.mass", "3", "5", "kite.span", "5", "6"]
 BAD = {
     "no scenario": (["simulate", "none.toml", "--output", "x.csv"], "cannot read none.toml"),
     "unknown model": (["simulate", "SHORT", "--output", "x.csv", "--model", "x"], "no model 'x'"),
     "no step": (["simulate", "SHORT", "--output", "x.csv", "--step", "0"], "--step must be > 0 s"),
     "no folder": (["simulate", "SHORT", "--output", "none/x.csv"], "there is no folder none"),
     "size": (["film", "SHORT", "--output", "x.mp4", "--size", "big"], "must be like 1280x720"),
+    "other digits": (["film", "SHORT", "--output", "x.mp4", "--size", "²x²"], "like 1280x720"),
+    "huge": (["film", "SHORT", "--output", "x.mp4", "--size", "20000x20000"], "16 to 8192"),
+    "slow film": (["film", "SHORT", "--output", "x.mp4", "--speed", "1e-9"], "too many rows"),
+    "soon": (["film", "SHORT", "--output", "x.png", "--still", "nan"], "--still: must be a number"),
+    "rate": (["film", "SHORT", "--output", "x.mp4", "--rate", "99999"], "1 to 1000 frames/s"),
+    "step": (["simulate", "SHORT", "--output", "x.csv", "--step", "1e-12"], "must be >= 1e-06 s"),
+    "no name": (["simulate", "SHORT", "--output", ""], "--output: must be the name of a file"),
+    "unkept": (["stability", "SHORT", "--map", *"a12b34"], "a map needs --save FIGURE"),
+    "map": (
+        ["stability", "SHORT", "--json", *MAP[:3], "nan", *MAP[4:]],
+        "B must be a number",
+    ),
+    "points": (
+        ["stability", "SHORT", "--json", "--points", "9999", *MAP],
+        "at most, got 9999",
+    ),
     "one model": (["compare", "SHORT", "--models", "mujoco"], "models needs two or more"),
 }
 
@@ -62,11 +79,21 @@ BAD = {
 def test_bad_words_are_one_line_and_status_2(name, short, tmp_path, capsys, monkeypatch):
     monkeypatch.chdir(tmp_path)
     words, sentence = BAD[name]
-    assert main([str(short) if word == "SHORT" else word for word in words]) == 2
+    try:
+        status = main([str(short) if word == "SHORT" else word for word in words])
+    except SystemExit as stopped:
+        status = stopped.code
+    assert status == 2
     error = capsys.readouterr().err
     assert sentence in error
     assert error.count("\n") == 1
     assert [file.name for file in tmp_path.iterdir()] == ["short.toml"]
+
+
+@pytest.mark.parametrize("words", [["--cycle"], ["--vary", "kite.mass", "--range", "3.9", "4.1"]])
+def test_what_is_not_there_is_an_answer(words, short, capsys):
+    assert main(["stability", str(short), *words]) == 1
+    assert "equilibrium is stable" in capsys.readouterr().err
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")

@@ -164,9 +164,9 @@ def desk(tmp_path_factory):
 
 
 def run(folder, *words, package=True, status=0):
-    """What a program says; its machine code is kept for these tests alone."""
+    """What a program says."""
     paths = [*sys.path, *([str(folder / "packages")] if package else [])]
-    env = {"XDG_CACHE_HOME": str(folder / "cache"), "PYTHONPATH": os.pathsep.join(paths)}
+    env = {"PYTHONPATH": os.pathsep.join(paths)}
     done = subprocess.run(
         [sys.executable, *words],
         cwd=folder,

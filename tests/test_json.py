@@ -5,18 +5,21 @@ from math import inf, nan
 
 import numpy as np
 import pytest
+from pyarrow import parquet
 
 from kitemj.cli import main
 from kitemj.data_files import SCENARIOS, shipped_or_file
 from kitemj.equilibria.modes import stability
 from kitemj.equilibria.tables import trim_table
 from kitemj.equilibria.trim import equilibria, lines_held
+from kitemj.errors import InputError
 from kitemj.flight.compare import compare_models
 from kitemj.flight.reach import reach_of
 from kitemj.flight.scenario import read_scenario
+from kitemj.metadata import about_columns, about_csv
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.recording.file import read_recording
-from kitemj.tables import Table, json_text
+from kitemj.tables import Table, json_text, write
 from tests.recording.flights import recorded
 
 PAIR = ["mujoco", "lagrange"]
@@ -115,3 +118,21 @@ def test_info(printed, tmp_path):
 def test_a_number_that_json_lacks_is_null():
     text = json_text([Table("t", ("a", "b"), [(nan, 1.0)])], {"c": [[inf, 2]], "d": "x"})
     assert json.loads(text) == {"t": [{"a": None, "b": 1.0}], "c": [[None, 2]], "d": "x"}
+
+
+def test_tables_that_are_written_say_what_they_are(tmp_path):
+    table = Table("standing", ("wind_m_s", "stable"), [(6.0, True), (7.0, False)])
+    about = {"scenario": "mine.toml"}
+    for name in ("a.csv", "a.parquet", "a.json"):
+        write(tmp_path / name, [table], {}, False, about)
+    told = about_columns(parquet.read_schema(tmp_path / "a.parquet").metadata)
+    assert told["scenario"] == "mine.toml"
+    assert told["holds"] == "standing"
+    assert told["written_by"].startswith("kitemj ")
+    assert about_csv(tmp_path / "a.csv") == told
+    assert (tmp_path / "a.csv").read_text() == "wind_m_s,stable\n6.0,True\n7.0,False\n"
+    names = {"a.csv", "a.csv-metadata.json", "a.parquet", "a.json"}
+    assert {file.name for file in tmp_path.iterdir()} == names
+    (tmp_path / "a.csv").unlink()
+    with pytest.raises(InputError, match=r"a\.csv-metadata\.json exists"):
+        write(tmp_path / "a.csv", [table], {}, False)

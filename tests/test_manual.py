@@ -5,7 +5,6 @@ Each page's blocks are steps, done in order at one desk: a folder with scenarios
 
 import ast
 import importlib.util
-import os
 import re
 import runpy
 import shlex
@@ -236,11 +235,7 @@ def run_python(step: Step, desk: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def run_apart(*words: str | Path) -> None:
-    """In the desk's folder; its machine code is kept there."""
-    environment = os.environ | {"XDG_CACHE_HOME": str(Path("cache").resolve())}
-    done = subprocess.run(
-        [sys.executable, *words], env=environment, capture_output=True, check=False
-    )
+    done = subprocess.run([sys.executable, *words], capture_output=True, check=False)
     assert done.returncode == 0, done.stderr.decode()
 
 

@@ -14,11 +14,12 @@ from kitemj.dynamics.lagrange_kite import LagrangeKite
 from kitemj.dynamics.motion import LineState
 from kitemj.errors import InputError
 from kitemj.flight.motion_table import write_csv
-from kitemj.flight.scenario import scenario_of
+from kitemj.flight.scenario import as_scenario, scenario_of
+from kitemj.flight.simulate import simulate
 from kitemj.physics.kite import Lines
 from kitemj.physics.parameter_files import LINES, parameter_set
 from kitemj.physics.quantity import Quantity
-from kitemj.physics.rig import RIGS, Rig, rig_of
+from kitemj.physics.rig import RIGS, Rig
 from kitemj.physics.vectors import Vector, norm, plus, times
 from kitemj.recording.file import read_recording
 from kitemj.recording.live import LiveFlight
@@ -115,7 +116,7 @@ def test_its_table_has_columns_for_the_third_line(tables, tmp_path):
     assert (flight["tension_middle_N"] == LIMP).all()
     position = np.stack([flight[name] for name in ("x_E_m", "y_E_m", "z_E_m")])
     assert flight["length_middle_m"] == pytest.approx(np.linalg.norm(position, axis=0), abs=SAME)
-    write_csv(tmp_path / "three.csv", flight.motions, rig=rig_of(flight.parameters))
+    write_csv(tmp_path / "three.csv", simulate(as_scenario(tables), "three"))
     header, first, *_ = (tmp_path / "three.csv").read_text().splitlines()
     named = dict(zip(header.split(","), first.split(","), strict=True))
     assert float(named["tension_middle_N"]) == LIMP

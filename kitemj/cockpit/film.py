@@ -10,13 +10,16 @@ from numpy.typing import NDArray
 
 from kitemj.closing import Closing
 from kitemj.errors import InputError
-from kitemj.files import check_new
+from kitemj.files import NewFile
+from kitemj.signals import held
 
 OPTIONS = {"preset": "veryfast", "crf": "20"}
 CONTAINER = {"movflags": "+faststart"}  # the index in front: plays while it loads
 SUFFIXES = (".mp4", ".gif")
 GIF_RATE = 50
 """Frames/s, the most that a GIF can have (its clock ticks 100 times a second)."""
+FILM_RATE = 1000
+"""Frames/s; the ticks of a flight are ten times as long."""
 
 
 class Film(Closing):
@@ -29,33 +32,35 @@ class Film(Closing):
     def __init__(
         self, path: Path, width: int, height: int, rate: int = 30, overwrite: bool = False
     ) -> None:
-        """Opens ``<path>.part``; nothing is at `path` before `close`.
+        """Opens a file beside `path`; nothing is at `path` before `close`.
 
         Raises InputError where there is a file and `overwrite` is False, for a place that
         cannot be written, and for a kind, a size or a rate that no film can have.
         """
         self.path, self.width, self.height, self.frames = Path(path), width, height, 0
         check_film(self.path, width, height, rate)
-        check_new(self.path, overwrite)
-        self._part = self.path.with_name(self.path.name + ".part")
-        try:
-            self._part.touch()
-        except OSError as error:
-            raise InputError(f"cannot write {path}: {error.strerror}; choose another") from None
         self._graph: Graph | None = None
+        self._file = NewFile(self.path, overwrite)
+        try:
+            self._begin(str(self._file.part), rate)
+        except BaseException:
+            self._file.discard()
+            raise
+        self._stream.width, self._stream.height = width, height
+        self._open = True
+
+    def _begin(self, part: str, rate: int) -> None:
         if self.path.suffix.lower() == ".gif":
-            self._container = av.open(str(self._part), "w", format="gif")
+            self._container = av.open(part, "w", format="gif")
             self._stream: Any = self._container.add_stream("gif", rate=rate)
             self._stream.pix_fmt = "pal8"
-            self._graph = _palettes(width, height, rate)
+            self._graph = _palettes(self.width, self.height, rate)
         else:
             options = dict(CONTAINER)
-            self._container = av.open(str(self._part), "w", format="mp4", container_options=options)
+            self._container = av.open(part, "w", format="mp4", container_options=options)
             self._stream = self._container.add_stream("libx264", rate=rate, options=dict(OPTIONS))
             self._stream.pix_fmt = "yuv420p"
             self._stream.thread_type = "AUTO"
-        self._stream.width, self._stream.height = width, height
-        self._open = True
 
     def add(self, frame: NDArray[np.uint8]) -> None:
         """Appends one frame (height, width, 3), RGB, row 0 on top."""
@@ -67,25 +72,39 @@ class Film(Closing):
                 f"{self.path}: ({self.height}, {self.width}, 3), uint8, is needed"
             )
         picture: Any = av.VideoFrame.from_ndarray(frame, format="rgb24")
-        if self._graph:
-            picture.pts = self.frames
-            self._graph.push(picture)
-            picture = self._graph.pull()
-        self._container.mux(self._stream.encode(picture))
-        self.frames += 1
+        with held():  # a part of it that is lost would spoil the frames after it
+            if self._graph:
+                picture.pts = self.frames
+                self._graph.push(picture)
+                picture = self._graph.pull()
+            self._write(picture)
+            self.frames += 1
 
     def close(self) -> None:
         """Completes the file and gives it its name; may be called twice."""
         if not self._open:
             return
-        self._open = False
-        if self.frames:
-            self._container.mux(self._stream.encode(None))
-        self._container.close()
-        if self.frames:
-            self._part.replace(self.path)
-        else:
-            self._part.unlink(missing_ok=True)
+        try:
+            with held():
+                if self.frames:
+                    self._write(None)
+                with self._file.naming():
+                    self._container.close()
+                if self.frames:
+                    self._file.keep()
+        finally:
+            self._open = False
+            self._file.discard()
+
+    def _write(self, picture: Any) -> None:
+        """Encodes a picture; None: the film's end. After an error there is no film."""
+        try:
+            with self._file.naming():
+                self._container.mux(self._stream.encode(picture))
+        except OSError:
+            self._open = False  # libav ends the program if it is asked to go on
+            self._file.discard()
+            raise
 
 
 def check_film(path: Path, width: int, height: int, rate: int) -> None:
@@ -95,9 +114,9 @@ def check_film(path: Path, width: int, height: int, rate: int) -> None:
         raise InputError(f"a film's name ends with {' or '.join(SUFFIXES)}, got {path.name}")
     if width < 2 or height < 2 or width % 2 or height % 2:
         raise InputError(f"a film of {width} x {height} pixels: both numbers must be even, > 0")
-    if rate < 1 or (kind == ".gif" and rate > GIF_RATE):
-        limit = f"1 to {GIF_RATE}" if kind == ".gif" else "at least 1"
-        raise InputError(f"`rate` must be {limit} frames/s, got {rate}")
+    most = GIF_RATE if kind == ".gif" else FILM_RATE
+    if not 1 <= rate <= most:
+        raise InputError(f"`rate` must be 1 to {most} frames/s, got {rate}")
 
 
 def _palettes(width: int, height: int, rate: int) -> Graph:

@@ -18,10 +18,11 @@ from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.limits import departure_at
-from kitemj.flight.scenario import Scenario, as_scenario
+from kitemj.flight.scenario import Scenario, as_scenario, check_rows
 from kitemj.flight.simulate import simulate
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control
+from kitemj.pilots.crash import Touch, touch_at
 from kitemj.plots.flight import Flight, flight_of_simulation
 from kitemj.recording.file import Recording, read_recording
 from kitemj.recording.recorder import SUFFIX
@@ -65,6 +66,7 @@ class MotionSource:
             stick=self._stick,
             speed=speed,
             message=departure.limit.sentence if departure else "",
+            touch=touch_at(self.parameters, motion, self._motions[row - 1] if row else None),
         )
         return Shot(motion, reference, readings)
 
@@ -99,7 +101,7 @@ class RecordingSource:
         self._gaps = np.where(again.comparable, again.gaps, nan) if again else recorded
         self._missed = np.cumsum(self._columns["lateness_s"] > self._tick)
         self._traces = RecordedTraces(recording, self._track)
-        self._episodes = len(recording.episodes)
+        self._starts = [episode.start for episode in recording.episodes]
 
     def shot(self, t: float, speed: float) -> Shot:
         """The shot at `t` [s], between two ticks too, shown `speed` times as fast as it was."""
@@ -111,7 +113,7 @@ class RecordingSource:
         gap = float(self._gaps[row])
         if self._again:
             reference = self._again.motion(place) if isfinite(gap) else None
-        columns, episodes = self._columns, self._episodes
+        columns, episodes = self._columns, len(self._starts)
         restarts = f" {columns['leg'][row] + 1}/{episodes}" if episodes > 1 else ""
         readings = Readings(
             model=self._model,
@@ -123,8 +125,18 @@ class RecordingSource:
             stick=f"{self._label}{restarts}",
             speed=speed,
             traces=self._traces.at(row),
+            touch=self._touch(row),
         )
         return Shot(motion, reference, readings)
+
+    def _touch(self, row: int) -> Touch | None:
+        """How the kite met the ground that it is on at `row`."""
+        ground, start = self._columns["ground"], self._starts[bisect_right(self._starts, row) - 1]
+        if not ground[row]:
+            return None
+        first = start + int(np.argmax(ground[start:]))
+        motion, before = self._track.motion(first), self._track.motion(max(first - 1, start))
+        return touch_at(self.parameters, motion, before) if motion else None
 
 
 FilmSource = MotionSource | RecordingSource
@@ -151,6 +163,7 @@ def film_source(
         return MotionSource(given)
     scenario, model, step = as_scenario(given), model or "mujoco", step or DEFAULT_STEP
     times = scenario.times._replace(output_interval=min(interval, scenario.times.duration))
+    check_rows(times, f"a frame every {interval:g} s of the flight", scenario.source)
     framed = replace(scenario, times=times)
     references = simulate(framed, "lagrange", step).motions
     flight = flight_of_simulation(simulate(framed, model, step))

@@ -1,6 +1,8 @@
 """Films and still pictures of flights, made without a screen as fast as it goes."""
 
 from collections.abc import Sequence
+from contextlib import closing
+from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
 
@@ -10,9 +12,12 @@ from kitemj.cockpit.film import Film, check_film
 from kitemj.cockpit.film_sources import FilmSource
 from kitemj.cockpit.parallel_painting import Painter, Stage, painted, workers_for
 from kitemj.cockpit.screens import FRAME_RATE
-from kitemj.errors import InputError
+from kitemj.errors import InputError, NoGraphics
 from kitemj.files import check_new, new_file
 from kitemj.progress_bar import with_progress
+
+MOST_FRAMES = 1_000_000
+"""Of a film: nine hours of it, and a day of painting."""
 
 
 class FilmStyle(NamedTuple):
@@ -53,24 +58,34 @@ def film(
     end: s of the flight, where it ends; None: with the longest flight
     overwrite: whether a file at `path` is replaced
 
-    Ctrl-C leaves a complete film of what was painted. Raises InputError or NoGraphics.
+    An interrupt leaves a complete film of what was painted. Raises InputError or NoGraphics.
     """
     longest = max(source.duration for source in sources)
     end = longest if end is None else min(end, longest)
     if not 0.0 <= start < end:
         raise InputError(f"`start` must be >= 0 s and before the end at {end:g} s, got {start:g} s")
+    if (end - start) / style.speed * style.rate > MOST_FRAMES:
+        slowest = (end - start) * style.rate / MOST_FRAMES
+        raise InputError(
+            f"{end - start:g} s at `speed` {style.speed:g} are more than {MOST_FRAMES} frames: "
+            f"film less of it, or at a speed >= {slowest:.2g}"
+        )
     count = int((end - start) / style.speed * style.rate + 1e-6) + 1
     times = [start + i * style.speed / style.rate for i in range(count)]
     shots = ([source.shot(t, style.speed) for source in sources] for t in times)
     frames = painted(_stage(sources, style), shots, workers_for(count))
-    with Film(path, *style.size, style.rate, overwrite) as written:
-        try:
+    written = Film(path, *style.size, style.rate, overwrite)
+    try:
+        with written, closing(frames):
             for frame in with_progress(f"filming {path}", frames, count):
                 written.add(frame)
-        except KeyboardInterrupt:
-            return f"interrupted: {path} has the first {written.frames} of {count} frames"
-        finally:
-            frames.close()
+    except (KeyboardInterrupt, NoGraphics) as reason:
+        if not written.frames:
+            raise
+        kept = f"{path} has the first {written.frames} of {count} frames"
+        if isinstance(reason, NoGraphics):
+            raise NoGraphics(f"{reason}; {kept}") from None
+        return f"interrupted: {kept}"
     endings = "; ".join(source.ending for source in sources)
     return f"{path}: {written.frames} frames; {endings}"
 
@@ -84,9 +99,9 @@ def still(
         raise InputError(f"`still` must be >= 0 s and <= {longest:g} s (the end), got {t:g} s")
     with Painter(_stage(sources, style)) as painter, new_file(path, overwrite) as part:
         frame = painter.paint([source.shot(t, style.speed) for source in sources])
-        picture = pygame.image.frombuffer(frame.data, frame.shape[1::-1], "RGB")
-        with part.open("wb") as file:
-            pygame.image.save(picture, file, "PNG")
+        picture, png = pygame.image.frombuffer(frame.data, frame.shape[1::-1], "RGB"), BytesIO()
+        pygame.image.save(picture, png, "PNG")  # in memory, since SDL does not say why a disk fails
+        part.write_bytes(png.getvalue())
     return f"{path}: {t:g} s"
 
 

@@ -53,7 +53,7 @@ def fly(
     called: float | None = None,
     course: Course | None = None,
 ) -> Summary:
-    """Flies until the screen is left, Ctrl-C, or the time is over; returns what is to be told.
+    """Flies until the screen is left, a signal, or the time is over; returns what is to be told.
 
     physics: the flight in real time, not yet started
     picture: paints the frames
@@ -66,10 +66,11 @@ def fly(
     """
     called, history = called or time.perf_counter(), History(physics.parameters)
     ending, frames, first, clock = "left by the pilot", 0, 0.0, pygame.time.Clock()
-    picture.paint(physics.result.motion, None, Readings(), screen.wishes.view)
-    physics.start()
     begun = time.perf_counter()
     try:
+        picture.paint(physics.result.motion, None, Readings(), screen.wishes.view)
+        physics.start()
+        begun = time.perf_counter()
         while not screen.wishes.leaving:
             painting = time.perf_counter()
             if duration is not None and painting - begun >= duration:
@@ -95,8 +96,10 @@ def fly(
         pass  # leaving in a hurry is leaving: the film and the summary are complete
     finally:
         wall = time.perf_counter() - begun
-        recording = physics.stop(ending)
-        screen.close()
+        try:
+            recording = physics.stop(ending)
+        finally:
+            screen.close()
     times = physics.times
     return Summary(times.ticks * TICK, times, frames, wall, first, recording)
 
@@ -104,7 +107,7 @@ def fly(
 def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Course | None) -> None:
     """Does what the person asks for of time, picture and lessons."""
     deeds, turn, zoom = wishes.taken()
-    physics.ask(Rate(wishes.rate))
+    physics.ask(Rate(wishes.pace))
     physics.ask(StartAt(1 if course and course.start else 0))
     for deed in deeds:
         if deed not in ("next lesson", "begin lesson"):
@@ -135,7 +138,7 @@ def _readings(
         missed_ticks=times.missed,
         lateness=times.lateness,
         stick=screen.stick.name,
-        speed=wishes.rate,
+        speed=wishes.pace,
         message=screen.message or physics.problem,
         traces=history.traces(time.perf_counter()),
         help=HELP if wishes.help else (),

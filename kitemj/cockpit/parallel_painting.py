@@ -5,24 +5,26 @@ cannot keep up with 30 frames/s of 1280 x 720; with a graphics card one process 
 """
 
 import os
-import signal
 from collections import deque
 from collections.abc import Generator, Iterable, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from multiprocessing import get_context
-from multiprocessing.shared_memory import SharedMemory
-from typing import Any, NamedTuple
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from queue import SimpleQueue
+from typing import NamedTuple
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from kitemj.child import Child
 from kitemj.closing import Closing
 from kitemj.drawing.gl import open_graphics
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.text import put, width
 from kitemj.dynamics.motion import Motion
+from kitemj.errors import InputError, NoGraphics
 from kitemj.physics.parameters import Parameters
 
 Frame = NDArray[np.uint8]
@@ -31,6 +33,8 @@ SHADE = (70, 78, 90)  # what the ground of a caption multiplies the picture with
 FOOT = 124  # units above the lower edge: over the strip of instruments
 WORTH_IT = 150
 """Frames; for fewer the start of more processes (2 s) takes longer than painting them."""
+PATIENCE = 60
+"""s; for a frame, and for all that a process loads before its first."""
 
 
 class Shot(NamedTuple):
@@ -93,55 +97,81 @@ def workers_for(frames: int) -> int:
 def painted(
     stage: Stage, film: Iterable[Sequence[Shot]], workers: int
 ) -> Generator[Frame, None, None]:
-    """Yields the frames of `film` in their order; each is valid until the next one is asked for."""
+    """Yields the frames of `film` in their order."""
     if workers < 2:
         with Painter(stage) as painter:
             yield from (painter.paint(shots) for shots in film)
         return
-    slots, size = 2 * workers + 2, stage.size[0] * stage.size[1] * 3
-    memory = SharedMemory(create=True, size=slots * size)
-    pool = ProcessPoolExecutor(workers, get_context("spawn"), _begin, (stage, memory.name))
-    try:
-        under_way: deque[tuple[int, Future[None]]] = deque()
-        for number, shots in enumerate(film):
-            if len(under_way) == slots:
-                yield _taken(memory, under_way, stage.size)
-            slot = number % slots
-            under_way.append((slot, pool.submit(_paint, shots, slot)))
+    under_way: deque[Future[Frame]] = deque()
+    with ThreadPoolExecutor(workers) as pool, Painters(stage, workers) as painters:
+        for shots in film:
+            if len(under_way) == 2 * workers + 2:
+                yield under_way.popleft().result()
+            under_way.append(pool.submit(painters.paint, shots))
         while under_way:
-            yield _taken(memory, under_way, stage.size)
-    finally:
-        pool.shutdown(cancel_futures=True)
-        memory.close()
-        memory.unlink()
+            yield under_way.popleft().result()
 
 
-def _taken(memory: SharedMemory, under_way: Any, size: tuple[int, int]) -> Frame:
-    slot, future = under_way.popleft()
-    future.result()
-    return _frame(memory, slot, size).copy()
+class Painters(Closing):
+    """Processes that paint the frames of a stage; a thread of this one for each waits for it."""
+
+    def __init__(self, stage: Stage, count: int) -> None:
+        self._stage, self._closed = stage, False
+        self._children = [Child(_paint, stage) for _ in range(count)]
+        self._idle = SimpleQueue[int]()
+        for number in range(count):
+            self._idle.put(number)
+
+    def paint(self, shots: Sequence[Shot]) -> Frame:
+        """The frame of these shots. A process that is lost, or stuck, is replaced once.
+
+        Raises what `Painter` does, and NoGraphics.
+        """
+        number = self._idle.get()
+        try:
+            return self._painted(number, shots)
+        except (EOFError, OSError):
+            if self._closed:
+                raise
+            self._children[number].kill()
+            self._children[number] = Child(_paint, self._stage)
+            try:
+                return self._painted(number, shots)
+            except (EOFError, OSError):
+                raise NoGraphics("a process that paints was ended from outside, twice") from None
+        finally:
+            self._idle.put(number)
+
+    def _painted(self, number: int, shots: Sequence[Shot]) -> Frame:
+        link, (wide, height) = self._children[number].link, self._stage.size
+        link.send(shots)
+        if not any(link.poll(1.0) for _ in range(PATIENCE)):
+            raise EOFError("it does not answer")
+        error = link.recv()
+        if error:
+            raise error
+        return np.frombuffer(link.recv_bytes(), np.uint8).reshape(height, wide, 3)
+
+    def close(self) -> None:
+        """Ends the processes: what they still paint nobody will see."""
+        self._closed = True
+        for child in self._children:
+            child.kill()
+            child.close()
 
 
-def _frame(memory: SharedMemory, slot: int, size: tuple[int, int]) -> Frame:
-    wide, height = size
-    return np.ndarray((height, wide, 3), np.uint8, memory.buf, slot * wide * height * 3)
-
-
-def _begin(stage: Stage, name: str) -> None:
-    """Prepares a painting process: one thread draws, Ctrl-C is left to the process that films."""
-    global _painter, _memory, _size
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _paint(link: Connection, stage: Stage) -> None:
+    """Paints what comes through `link` in a process of its own, in which one thread draws."""
     os.environ.setdefault("LP_NUM_THREADS", "0")
-    _painter, _memory, _size = Painter(stage), SharedMemory(name), stage.size
-
-
-def _paint(shots: Sequence[Shot], slot: int) -> None:
-    _frame(_memory, slot, _size)[:] = _painter.paint(shots)
-
-
-_painter: Painter
-_memory: SharedMemory
-_size: tuple[int, int]
+    with suppress(EOFError, OSError):  # whoever films is gone
+        try:
+            with Painter(stage) as painter:
+                while True:
+                    frame = painter.paint(link.recv())
+                    link.send(None)
+                    link.send_bytes(np.ascontiguousarray(frame).data.cast("B"))
+        except (InputError, NoGraphics) as error:
+            link.send(error)
 
 
 def _write(frame: Frame, caption: str) -> None:

@@ -1,4 +1,4 @@
-"""The strip below a replay: play and pause, time, a slider that shows where limits were left."""
+"""The strip below a replay: play and pause, time, a slider that shows limits left; key hints."""
 
 from collections.abc import Sequence
 
@@ -7,14 +7,17 @@ import pygame
 from numpy.typing import NDArray
 
 from kitemj.cockpit.replay_player import Player
-from kitemj.drawing.text import put
+from kitemj.controls.actions import REPLAY_ACTIONS
+from kitemj.drawing.text import put, width
 
-HEIGHT = 48
+BAR, HINTS = 48, 24  # px, of the slider and of the line below it
+HEIGHT = BAR + HINTS
 GROUND, TROUGH = (24, 28, 34), (52, 58, 66)
 WHITE, DIM = (255, 255, 255), (205, 212, 220)
 BAD, CALL = (255, 70, 60), (255, 214, 60)
 BUTTON = 48  # px on the left that play and pause
 TIMES = 250  # px on the right for the numbers
+HINT, GAP = 12, " " * 5  # px, of the hints' digits; between two hints
 
 
 class Slider:
@@ -31,7 +34,7 @@ class Slider:
     def handle(self, event: pygame.event.Event, at: tuple[float, float], player: Player) -> None:
         """Takes in an event of the mouse at `at`, px from the strip's upper left corner."""
         x, y = at
-        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1 and 0 <= y < HEIGHT:
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1 and 0 <= y < BAR:
             if x < self._left:
                 player.toggle()
                 return
@@ -44,7 +47,7 @@ class Slider:
     def paint(self, strip: pygame.Surface, player: Player) -> None:
         """Paints the strip as it is now."""
         strip.fill(GROUND)
-        middle, room = HEIGHT // 2, self._right - self._left
+        middle, room = BAR // 2, self._right - self._left
         if player.playing:
             strip.fill(WHITE, (17, middle - 8, 5, 16))
             strip.fill(WHITE, (26, middle - 8, 5, 16))
@@ -60,3 +63,15 @@ class Slider:
         right = strip.get_width() - 14
         put(strip, f"{player.t:.2f} / {player.duration:.2f} s", right, middle - 10, 14, WHITE, 1)
         put(strip, f"×{player.speed:g}", right, middle + 11, 13, DIM, 1)
+        put(strip, hints(right - 14), 14, BAR + HINTS // 2 - 4, HINT, DIM)
+
+
+def hints(room: float) -> str:
+    """As many keys and what they do as fit into `room` [px]."""
+    line = ""
+    for action in REPLAY_ACTIONS:
+        hint = f"{' '.join(action.shown.split())}: {action.help}"
+        longer = f"{line}{GAP}{hint}" if line else hint
+        if action.shown and width(longer, HINT) <= room:
+            line = longer
+    return line

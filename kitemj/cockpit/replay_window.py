@@ -6,8 +6,9 @@ import pygame
 from kitemj.cockpit.film_sources import RecordingSource
 from kitemj.cockpit.replay_player import Player
 from kitemj.cockpit.replay_slider import HEIGHT, Slider
-from kitemj.cockpit.screens import FRAME_RATE, put_in_window
-from kitemj.controls.actions import VIEWS
+from kitemj.cockpit.screens import FRAME_RATE, fitting, put_in_window
+from kitemj.controls.actions import REPLAY_HELP, VIEWS
+from kitemj.controls.keys import REPLAY_KEYS
 from kitemj.controls.pads import events
 from kitemj.drawing.picture import Picture
 from kitemj.recording.file import Recording
@@ -18,9 +19,10 @@ from kitemj.recording.table import LIMITS
 def show(recording: Recording, again: Replay | None, size: tuple[int, int], view: str) -> None:
     """Shows the recording, with `again` as its reference, until the window is left.
 
-    `size` [px] of the picture. Raises NoGraphics or InputError before a window opens.
+    `size` [px] of the picture, made smaller where the desktop is. Raises NoGraphics or
+    InputError before a window opens.
     """
-    with Picture(recording.parameters, *size) as picture:
+    with Picture(recording.parameters, *fitting(size, HEIGHT)) as picture:
         window = ReplayWindow(recording, again, picture, view)
         try:
             window.run()
@@ -31,7 +33,7 @@ def show(recording: Recording, again: Replay | None, size: tuple[int, int], view
 
 
 class ReplayWindow:
-    """Esc leaves; the keys are those of ``kitemj replay --help``."""
+    """Its keys are `actions.REPLAY_ACTIONS`; the page that tells them stops the player."""
 
     def __init__(
         self, recording: Recording, again: Replay | None, picture: Picture, view: str
@@ -46,8 +48,8 @@ class ReplayWindow:
         pygame.display.set_mode(self._whole.get_size(), pygame.RESIZABLE)
         pygame.display.set_caption(f"kitemj: {self._source.caption}")
         self._place = self._whole.get_rect()
-        self.leaving = False
-        self._shown: tuple[float, float, bool, str] | None = None
+        self.leaving = self.help = False
+        self._shown: tuple[object, ...] | None = None
 
     def run(self) -> None:
         """Plays until the window is left; paints only what has changed."""
@@ -55,7 +57,8 @@ class ReplayWindow:
         while not self.leaving:
             wall = clock.tick(FRAME_RATE) / 1000
             self.poll()
-            self.player.advance(wall)
+            if not self.help:
+                self.player.advance(wall)
             self.paint()
 
     def poll(self) -> None:
@@ -64,7 +67,7 @@ class ReplayWindow:
             if event.type == pygame.QUIT:
                 self.leaving = True
             elif event.type == pygame.KEYDOWN:
-                self._key(event.key, bool(event.mod & pygame.KMOD_SHIFT))
+                self._ask(REPLAY_KEYS.get(event.key, ""), bool(event.mod & pygame.KMOD_SHIFT))
             elif event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION):
                 self._slider.handle(event, self._in_strip(event.pos), self.player)
             elif event.type in (pygame.VIDEORESIZE, pygame.VIDEOEXPOSE):
@@ -73,11 +76,13 @@ class ReplayWindow:
     def paint(self) -> None:
         """Paints the picture of the present moment, and the strip below it."""
         player, picture = self.player, self._picture
-        state = (player.t, player.speed, player.playing, self.view)
+        state = (player.t, player.speed, player.playing, self.view, self.help)
         if state == self._shown:
             return
         self._shown = state
-        frame = picture.paint(*self._source.shot(player.t, player.speed), self.view)
+        motion, reference, readings = self._source.shot(player.t, player.speed)
+        readings = readings._replace(help=REPLAY_HELP if self.help else ())
+        frame = picture.paint(motion, reference, readings, self.view)
         size = (picture.width, picture.height)
         self._whole.blit(pygame.image.frombuffer(frame.data, size, "RGB"), (0, 0))
         strip = pygame.Rect(0, picture.height, picture.width, HEIGHT)
@@ -90,18 +95,20 @@ class ReplayWindow:
         x, y = (at[0] - self._place.left) * scale, (at[1] - self._place.top) * scale
         return x, y - self._picture.height
 
-    def _key(self, key: int, shift: bool) -> None:
+    def _ask(self, action: str, shift: bool) -> None:
         player = self.player
-        if key == pygame.K_ESCAPE:
+        if action == "leave":
             self.leaving = True
-        elif key == pygame.K_SPACE:
+        elif action == "help":
+            self.help = not self.help
+        elif action == "play":
             player.toggle()
-        elif key in (pygame.K_LEFT, pygame.K_RIGHT):
+        elif action in ("back", "on"):
             step = self._tick if shift else 1.0
-            player.seek(player.t + (step if key == pygame.K_RIGHT else -step))
-        elif key in (pygame.K_UP, pygame.K_DOWN):
-            player.change_speed(1 if key == pygame.K_UP else -1)
-        elif key in (pygame.K_HOME, pygame.K_END):
-            player.seek(0.0 if key == pygame.K_HOME else player.duration)
-        elif key == pygame.K_v:
+            player.seek(player.t + (step if action == "on" else -step))
+        elif action in ("faster", "slower"):
+            player.change_speed(1 if action == "faster" else -1)
+        elif action in ("start", "end"):
+            player.seek(0.0 if action == "start" else player.duration)
+        elif action == "view":
             self.view = VIEWS[(VIEWS.index(self.view) + 1) % len(VIEWS)]

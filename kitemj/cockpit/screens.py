@@ -59,6 +59,21 @@ def display_found() -> bool:
     return True
 
 
+AROUND = 100
+"""px of a desktop's height that bars and a window's title may take; no system tells pygame."""
+
+
+def fitting(size: tuple[int, int], below: int = 0) -> tuple[int, int]:
+    """The largest picture of the shape of `size` [px] that a desktop shows whole in a window.
+
+    `below` [px]: what the window has beneath the picture. Needs pygame's display.
+    """
+    wide, tall = pygame.display.get_desktop_sizes()[0]
+    room = pygame.Rect(0, 0, wide, tall - AROUND - below)
+    picture = pygame.Rect(0, 0, *size)
+    return size if room.contains(picture) else picture.fit(room).size
+
+
 TURN = 0.005
 """rad; of the orbit view for each pixel."""
 

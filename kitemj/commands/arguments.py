@@ -1,14 +1,21 @@
 """Words that several subcommands share."""
 
 import argparse
+import re
+import sys
+from math import isfinite, nan
+from pathlib import Path
 from types import ModuleType
-from typing import NoReturn
+from typing import Any, NoReturn
 
+from kitemj.console import complain, flush
 from kitemj.controls.actions import VIEWS
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.formulation import MODELS as REGISTRY
 from kitemj.errors import InputError
 
+LEAST_SIDE, MOST_SIDE = 16, 8192
+"""px; of a picture: below, nothing shows; beyond, neither H.264 nor graphics cards go along."""
 MODELS = tuple(REGISTRY.shipped)
 SCENARIO = "a scenario file (TOML), or the name of one that ships: steer_200m"
 
@@ -16,9 +23,24 @@ SCENARIO = "a scenario file (TOML), or the name of one that ships: steer_200m"
 class Parser(argparse.ArgumentParser):
     """One line for bad words, like for any other bad input."""
 
+    def __init__(self, *given: Any, **named: Any) -> None:
+        super().__init__(*given, **named)
+        self.register("type", float, _finite)
+        self.register("type", Path, _path)
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """As argparse does, but a full disk and a closed pipe are not passed over."""
+        print(message, end="", file=file or sys.stderr)
+
+    def exit(self, status: int = 0, message: str | None = None) -> NoReturn:
+        """After all that was printed has got out."""
+        flush()
+        super().exit(status, message)
+
     def error(self, message: str) -> NoReturn:
         """Exit status 2."""
-        self.exit(2, f"kitemj: {message}; see {self.prog} --help\n")
+        complain(f"{message}; see {self.prog} --help")
+        self.exit(2)
 
     @property
     def words(self) -> dict[str, str]:
@@ -69,15 +91,32 @@ def add_picture(parser: Parser) -> None:
 
 def size(text: str) -> tuple[int, int]:
     """(width, height) [px] of a text like 1280x720; InputError for any other."""
-    width, _, height = text.partition("x")
-    if not (width.isdigit() and height.isdigit()):
-        raise InputError(f"--size must be like 1280x720, got {text!r}")
-    return int(width), int(height)
+    sides = re.fullmatch("([0-9]{1,5})x([0-9]{1,5})", text)
+    if not sides or not all(LEAST_SIDE <= int(side) <= MOST_SIDE for side in sides.groups()):
+        known = f"like 1280x720, each side {LEAST_SIDE} to {MOST_SIDE}"
+        raise InputError(f"--size must be {known}, got {text!r}")
+    return int(sides[1]), int(sides[2])
 
 
 def number(text: str, word: str) -> float:
     """The number that `text` says; InputError, which names `word`, where it is none."""
     try:
-        return float(text)
+        return _finite(text)
+    except argparse.ArgumentTypeError as error:
+        raise InputError(f"{word} {error}") from None
+
+
+def _finite(text: str) -> float:
+    try:
+        value = float(text)
     except ValueError:
-        raise InputError(f"{word} must be a number, got {text!r}") from None
+        value = nan
+    if not isfinite(value):
+        raise argparse.ArgumentTypeError(f"must be a number, got {text!r}")
+    return value
+
+
+def _path(text: str) -> Path:
+    if not text or "\0" in text:
+        raise argparse.ArgumentTypeError(f"must be the name of a file, got {text!r}")
+    return Path(text)

@@ -10,6 +10,8 @@ HELP = "film a scenario or a recording with no screen; two of them, or two model
 EXAMPLE = "kitemj film scenarios/loops_20m.toml --output kite.mp4"
 
 MOST = 2
+FINEST = 0.01
+"""s; between two motions so close a still picture shows what lies between."""
 
 
 def add(parser: Parser) -> None:
@@ -40,7 +42,7 @@ def run(args: argparse.Namespace) -> None:
     models: list[str | None] = args.model.split(",") if args.model else [None]
     if len(args.source) * len(models) > MOST:
         raise InputError(f"at most {MOST} flights stand side by side: two files, or two models")
-    interval = (args.still or 1.0) if is_still else args.speed / args.rate
+    interval = max(args.still or 1.0, FINEST) if is_still else args.speed / args.rate
     sources = [
         film_source(path, model, args.step, interval) for path in args.source for model in models
     ]

@@ -15,7 +15,7 @@ from kitemj.commands.arguments import (
     add_step,
     size,
 )
-from kitemj.errors import InputError
+from kitemj.errors import NOT_WRITTEN, FlightError, InputError
 
 if TYPE_CHECKING:
     from kitemj.cockpit.screens import Window
@@ -60,13 +60,13 @@ def add(parser: Parser) -> None:
     add_step(parser)
 
 
-def run(args: argparse.Namespace) -> None:
-    """Flies, and tells of it."""
+def run(args: argparse.Namespace) -> int:
+    """Flies, and tells of it; returns the exit status, NOT_WRITTEN for a recording cut short."""
     from kitemj.realtime.launch import launch
 
     launched = launch()
     from kitemj.cockpit.fly import fly
-    from kitemj.cockpit.screens import FilmScreen, Screen, display_found
+    from kitemj.cockpit.screens import FilmScreen, Screen, display_found, fitting
     from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
     from kitemj.files import check_new
@@ -84,6 +84,8 @@ def run(args: argparse.Namespace) -> None:
         duration = duration or SHOW_DURATION
         why = "as asked, no window" if args.headless else "there is no display"
         print(f"{why}: a programme flies {duration:g} s in real time into {path}")
+    else:
+        pixels = fitting(pixels)
     course = None if path else _course(args)
     if course:  # its own start is the second one
         setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
@@ -97,11 +99,17 @@ def run(args: argparse.Namespace) -> None:
         else:
             screen = _window(setup.scenario, pixels, programme)
         screen.wishes.view = args.view
-        print(fly(physics, picture, screen, duration, args.called, course))
-    if course:
-        print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
-    if path:
-        print(f"film         {path}")
+        try:
+            print(fly(physics, picture, screen, duration, args.called, course))
+        except (FlightError, OSError):  # why it ended is told last
+            print(f"recording    {physics.recording}")
+            raise
+        finally:
+            if course:
+                print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
+            if path and path.exists():
+                print(f"film         {path}")
+    return NOT_WRITTEN if physics.cut else 0
 
 
 def _setup(args: argparse.Namespace) -> "FlightSetup":

@@ -1,7 +1,6 @@
 """`kitemj limits`: how much of each physical limit a flight takes up."""
 
 import argparse
-from math import isnan
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -30,24 +29,24 @@ def add(parser: Parser) -> None:
 def run(args: argparse.Namespace) -> None:
     """Prints the table; writes and draws what is asked for."""
     from kitemj.flight.limits import left_limits
+    from kitemj.physics.parameter_files import parameter_tables
     from kitemj.plots.figure_output import save_figures
-    from kitemj.plots.limits import Extremes, extremes, limits_figure
+    from kitemj.plots.limits import Extremes, beside_rest, extremes, headroom, limits_figure
     from kitemj.plots.sources import read_flight
     from kitemj.tables import Table, print_table, write
 
     check_results(args)
     flight = read_flight(args.file, args.model, args.episode, args.kite)
-    rows: list[tuple[Cell, ...]] = [*extremes(flight)]
     for note in flight.notes:
         print(note)
-    print_table(Table(f"limits: {flight.name}", Extremes._fields, [_worded(row) for row in rows]))
+    print_table(headroom(flight))
+    if rest := beside_rest(flight):
+        print(rest)
     print(left_limits(flight.departure))
     if args.output:
-        write(args.output, [Table("limits", Extremes._fields, rows)], {}, args.overwrite)
+        rows: list[tuple[Cell, ...]] = [*extremes(flight)]
+        about = {"flight": flight.name, "parameters": parameter_tables(flight.parameters)}
+        table = Table("limits", Extremes._fields, rows)
+        write(args.output, [table], {}, args.overwrite, about)
     if args.save:
         print(*save_figures({"limits": limits_figure(flight)}, args.save, args.overwrite))
-
-
-def _worded(row: "tuple[Cell, ...]") -> "tuple[Cell, ...]":
-    """For people: what is not a number is a moment that never came."""
-    return tuple("never" if isinstance(cell, float) and isnan(cell) else cell for cell in row)

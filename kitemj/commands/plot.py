@@ -1,6 +1,7 @@
 """`kitemj plot`: a flight drawn for print."""
 
 import argparse
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,8 +17,8 @@ if TYPE_CHECKING:
 HELP = "draw a recording, a scenario or a table: state, rates, tensions, angles, path, ..."
 EXAMPLE = "kitemj plot scenarios/steer_80m.toml --what state,window --save flight.pdf"
 NOTES = """\
-Of several figures, NAME.pdf has a page for each; NAME.png and NAME.svg become
-NAME-state.png, NAME-rates.png, ... A single figure is NAME itself.
+Of several figures, NAME.pdf has a page for each; NAME.png and NAME.svg are one sheet of all,
+and NAME-state.png, NAME-rates.png, ... have each alone. What was written is listed.
 Red and solid is the pilot's left, A₊; blue and dashed the right, A₋. Grey: beyond the
 limits of validity."""
 
@@ -43,7 +44,7 @@ def add_file(parser: Parser) -> None:
     parser.add_argument("--model", default="", help=says)
     says = "which flight of a recording, as kitemj info counts them; default the longest"
     parser.add_argument("--leg", dest="episode", type=int, default=0, metavar="N", help=says)
-    says = "which kite flew a table: a set or a scenario's file; default the set that its lines fit"
+    says = "which kite flew a table: a set or a scenario's file; default as it says, else a guess"
     parser.add_argument("--kite", default="", metavar="SET", help=says)
 
 
@@ -71,9 +72,17 @@ def run(args: argparse.Namespace) -> None:
     if flight.departure:
         print(left_limits(flight.departure))
     if args.save:
-        print(*save_figures(figures, args.save, args.overwrite), sep="\n")
+        for path, shows in zip(
+            save_figures(figures, args.save, args.overwrite), _shown(figures), strict=False
+        ):
+            print(f"{path}: {shows}")
     else:
         show(figures)
+
+
+def _shown(figures: Mapping[str, "Figure"]) -> list[str]:
+    """What each file shows, the sheet of all first; a single figure has no sheet."""
+    return [", ".join(figures), *(figures if len(figures) > 1 else ())]
 
 
 def _names(what: str) -> list[str]:

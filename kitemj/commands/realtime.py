@@ -1,8 +1,6 @@
 """`kitemj realtime`: how well this machine flies in real time."""
 
 import argparse
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import Parser, add_picture, add_step, size
@@ -45,6 +43,7 @@ def run(args: argparse.Namespace) -> None:
     from kitemj.realtime.process import FlightProcess
     from kitemj.recording.live import FlightSetup
     from kitemj.tables import print_table
+    from kitemj.temporary import temporary_folder
 
     if not args.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {args.duration} s")
@@ -53,8 +52,8 @@ def run(args: argparse.Namespace) -> None:
     window = not args.headless and display_found()
     parameters = scenario.parameters
     setup, stick = FlightSetup(scenario, "mujoco", "lagrange", args.step), show_of(parameters)
-    with TemporaryDirectory() as folder:
-        physics = FlightProcess(setup._replace(record=Path(folder) / "flight.arrows"), launched)
+    with temporary_folder() as folder:
+        physics = FlightProcess(setup._replace(record=folder / "flight.arrows"), launched)
         with Picture(parameters, *pixels) as picture:
             physics.wait()
             timed = TimedScreen(_screen(args, parameters, window), stick, physics)

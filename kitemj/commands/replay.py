@@ -4,12 +4,11 @@ import argparse
 from pathlib import Path
 
 from kitemj.commands.arguments import MODELS, Parser, add_picture, size
+from kitemj.controls.actions import REPLAY_HELP
 
 HELP = "show a recording in a window, fly its input again, or export it"
 EXAMPLE = "kitemj replay kitemj-20260131-120000.arrows --model lagrange"
-NOTES = """\
-Space: play and pause. Left/right: 1 s, with Shift one tick. Up/down: speed. V: view.
-Home/End: start and end. The slider answers to the mouse. Esc: leave."""
+NOTES = "\n".join(f"{shown:21} {says}" for shown, says in (x.split("\t") for x in REPLAY_HELP))
 
 
 def add(parser: Parser) -> None:

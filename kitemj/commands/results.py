@@ -24,13 +24,13 @@ def add_results(parser: Parser) -> None:
 
 def check_results(args: argparse.Namespace) -> None:
     """Raises InputError before work is done that could not be kept."""
-    from kitemj.files import check_new
+    from kitemj.metadata import check_new_table
     from kitemj.plots.figure_output import check_figures
     from kitemj.tables import check_format
 
     if args.output:
         check_format(args.output)
-        check_new(args.output, args.overwrite)
+        check_new_table(args.output, args.overwrite)
     if args.save:
         check_figures(args.save, [""], args.overwrite)
 
@@ -52,6 +52,8 @@ def give_results(
     notes: sentences above the tables
     show: whether the tables are short enough to be printed for people
     """
+    from kitemj.flight.motion_table import about_flight
+    from kitemj.flight.scenario import read_scenario
     from kitemj.plots.figure_output import save_figures
     from kitemj.tables import json_text, print_table, write
 
@@ -63,6 +65,7 @@ def give_results(
         for table in tables if show else []:
             print_table(table)
     if args.output:
-        write(args.output, tables, extra, args.overwrite)
+        about = about_flight(read_scenario(args.scenario))
+        write(args.output, tables, extra, args.overwrite, about)
     if args.save:
         save_figures({"": figure()}, args.save, args.overwrite)

@@ -22,23 +22,21 @@ def add(parser: Parser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status: 1 where the flight broke off."""
-    from kitemj.files import check_new
     from kitemj.flight.limits import Ending, left_limits
     from kitemj.flight.motion_table import write_csv
     from kitemj.flight.scenario import read_scenario
     from kitemj.flight.simulate import simulate
-    from kitemj.physics.rig import rig_of
+    from kitemj.metadata import check_new_table
     from kitemj.pilots.piloted import simulate_pilot
     from kitemj.pilots.registry import as_pilot
 
-    check_new(args.output, args.overwrite)
+    check_new_table(args.output, args.overwrite)
     scenario = read_scenario(args.scenario)
     if args.pilot:
         flight = simulate_pilot(scenario, as_pilot(args.pilot), args.model, args.step)
     else:
         flight = simulate(scenario, args.model, args.step)
-    rig = rig_of(scenario.parameters)
-    write_csv(args.output, flight.motions, args.overwrite, rig)
+    write_csv(args.output, flight, args.overwrite)
     print(f"{args.output}: {len(flight.motions)} rows, {flight.model}; {flight.ending.value}")
     if flight.departure:
         print(left_limits(flight.departure))

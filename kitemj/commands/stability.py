@@ -37,6 +37,8 @@ def run(args: argparse.Namespace) -> None:
         raise InputError("--vary, --map and --cycle are questions of their own: ask one at a time")
     if bool(args.vary) != bool(args.range):
         raise InputError("--vary NAME and --range A B go together: give both")
+    if args.map and not (args.save or args.output or args.json):
+        raise InputError("a map needs --save FIGURE, --output FILE or --json, to be kept in")
     check_results(args)
     scenario = read_scenario(args.scenario)
     if args.vary:
@@ -87,7 +89,7 @@ def _map(args: argparse.Namespace, scenario: "Scenario") -> None:
     found = stability_map(scenario.parameters, x_axis, y_axis, args.points, ell=ell, delta=delta)
     table, notes = tables.map_table(found), [_note(scenario)]
     if not args.json:
-        notes.append(f"{len(table.rows)} points; write them with --output, draw them with --save")
+        notes.append(f"{len(table.rows)} points")
     give_results(args, [table], {}, lambda: plots.map_figure(found), notes, show=False)
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import Parser
+from kitemj.console import complain
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -37,55 +38,71 @@ def add(parser: Parser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status."""
-    from kitemj.files import check_new
+    from kitemj.files import check_new, is_stream
     from kitemj.studies.journal import Journal, completed_by
     from kitemj.studies.study import read_study
     from kitemj.studies.sweep import StudyStopped, check
 
     study = read_study(args.study)
     check(study)
-    journal = Journal(args.output, study)
-    if args.overwrite:
-        journal.path.unlink(missing_ok=True)
-    elif args.output.is_file() and completed_by(args.output, study):
+    if is_stream(args.output):
+        raise InputError(
+            f"{args.output} is a stream; a study needs a file, for the journal beside it"
+        )
+    if not args.overwrite and args.output.is_file() and completed_by(args.output, study):
         print(f"{args.output} is complete: {study.design.count} flights")
         return 0
     check_new(args.output, args.overwrite)
-    safe = f"finished flights are safe in {journal.path}"
+    journal = Journal(args.output, study, args.overwrite)
     try:
         with journal:
-            if journal.count:
-                print(f"going on after {journal.count} of {study.design.count} flights")
+            _tell_of(journal)
             if journal.count < study.design.count:
                 _fly(args, journal)
             failures = journal.write_table(args.output, args.overwrite)
     except KeyboardInterrupt:
-        print(f"kitemj: interrupted; {safe}: the same command goes on", file=sys.stderr)
+        complain(f"interrupted; {_kept(journal)}")
         return 130
     except StudyStopped as error:
-        print(f"kitemj: {error}; {safe}", file=sys.stderr)
+        complain(f"{error}; {_kept(journal)}")
         return 1
     except OSError as error:
-        reason = error.strerror or error
-        print(f"kitemj: cannot write: {reason}; {safe}: mend that, run again", file=sys.stderr)
-        return 1
-    journal.path.unlink()
+        reason, path = error.strerror or str(error), error.filename or journal.path
+        raise OSError(error.errno, f"{reason}; {_kept(journal)}", path) from error
     said = f"; {failures} could not be flown, see their reason" if failures else ""
     print(f"{args.output}: {study.design.count} flights{said}")
     return 0
 
 
+def _tell_of(journal: "Journal") -> None:
+    """Says what an earlier command left."""
+    if journal.count:
+        print(f"going on after {journal.count} of {len(journal.done)} flights")
+    if journal.damaged:
+        lines = "1 line" if journal.damaged == 1 else f"{journal.damaged} lines"
+        print(f"{journal.path}: {lines} damaged; what they told of is flown again")
+
+
+def _kept(journal: "Journal") -> str:
+    """What is left of a study that broke off, and what to do."""
+    if not journal.count:
+        return "no flight was finished, nothing is left"
+    safe = f"{journal.count} of {len(journal.done)} flights are safe in {journal.path}"
+    return f"{safe}: the same command goes on"
+
+
 def _fly(args: argparse.Namespace, journal: "Journal") -> None:
     from kitemj.progress_bar import progress_bar
     from kitemj.studies.executors import dask_executor, local_executor
-    from kitemj.studies.sweep import sweep, tried
+    from kitemj.studies.sweep import sweep, tried_together
 
-    start = dask_executor(args.scheduler) if args.scheduler else local_executor(args.processes)
+    on_cluster = args.scheduler is not None
+    start = dask_executor(args.scheduler) if on_cluster else local_executor(args.processes)
     with start as executor:
-        cost = tried(journal)
+        cost = tried_together(journal, executor)
         left = len(journal.done) - journal.count
-        _ask(left, cost * left / executor.workers, executor, args.yes)
         if left:
+            _ask(left, cost * left / executor.workers, executor, args.yes)
             with progress_bar("flights", len(journal.done), journal.count) as tell:
                 sweep(journal, executor, cost, tell)
 

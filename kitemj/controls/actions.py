@@ -40,7 +40,7 @@ ACTIONS = (
     Action("full screen", "F11   F", "full screen"),
     Action("next lesson", "N   B", "next lesson; begin the lesson again"),
     Action("begin lesson", "", ""),
-    Action("help", "F1   ?", "this page"),
+    Action("help", "F1   ?", "this page, while the flight waits"),
     Action("leave", "Esc", "leave"),
 )
 
@@ -52,6 +52,25 @@ HELP = (
     "Right stick, W S\tlet line out, take it in",
     "Mouse, right button, wheel\tturn and near the orbit view",
     *(f"{action.shown}\t{action.help}" for action in ACTIONS if action.shown),
+)
+
+REPLAY_ACTIONS = (
+    Action("help", "F1", "all keys"),
+    Action("play", "Space", "play, pause"),
+    Action("back", "Left   Right", "1 s back, on; with Shift one tick"),
+    Action("on", "", ""),
+    Action("faster", "Up   Down", "faster, slower"),
+    Action("slower", "", ""),
+    Action("start", "Home   End", "the start, the end"),
+    Action("end", "", ""),
+    Action("view", "V", "next view"),
+    Action("leave", "Esc", "leave"),
+)
+"""What can be asked for while a recording is shown, the most needed hint first."""
+
+REPLAY_HELP = (
+    *(f"{action.shown}\t{action.help}" for action in REPLAY_ACTIONS if action.shown),
+    "Mouse, on the slider\tgo to that moment; white: a flight begins, red: beyond a limit",
 )
 
 RATES = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
@@ -71,6 +90,11 @@ class Wishes:
         self.turn, self.zoom = (0.0, 0.0), 1.0
         self.deeds: list[str] = []
         self._speed = 1.0  # when not paused
+
+    @property
+    def pace(self) -> float:
+        """Simulated over wall time now: `rate`, but 0 while the help page hides the kite."""
+        return 0.0 if self.help else self.rate
 
     def ask(self, names: Iterable[str]) -> None:
         """Takes in actions by their names; raises KeyError for an unknown one."""

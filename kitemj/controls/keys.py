@@ -1,4 +1,4 @@
-"""The action of each key of the keyboard."""
+"""The action of each key of the keyboard, in flight and while a recording is shown."""
 
 import pygame
 
@@ -7,6 +7,8 @@ from kitemj.controls.actions import INSTRUMENTS
 DIGITS_AND_L = (*range(pygame.K_1, pygame.K_9 + 1), pygame.K_0, pygame.K_l)
 TOGGLES = {key: f"toggle {name}" for key, name in zip(DIGITS_AND_L, INSTRUMENTS, strict=True)}
 """Keys that show or hide one instrument, in their order on the screen."""
+
+HELP_KEYS = (pygame.K_F1, pygame.K_SLASH, pygame.K_QUESTION)
 
 KEYS = {
     pygame.K_r: "restart",
@@ -24,7 +26,21 @@ KEYS = {
     **dict.fromkeys((pygame.K_F11, pygame.K_f), "full screen"),
     pygame.K_n: "next lesson",
     pygame.K_b: "begin lesson",
-    **dict.fromkeys((pygame.K_F1, pygame.K_SLASH, pygame.K_QUESTION), "help"),
+    **dict.fromkeys(HELP_KEYS, "help"),
     pygame.K_ESCAPE: "leave",
     **TOGGLES,
 }
+
+REPLAY_KEYS = {
+    **dict.fromkeys(HELP_KEYS, "help"),
+    pygame.K_SPACE: "play",
+    pygame.K_LEFT: "back",
+    pygame.K_RIGHT: "on",
+    pygame.K_UP: "faster",
+    pygame.K_DOWN: "slower",
+    pygame.K_HOME: "start",
+    pygame.K_END: "end",
+    pygame.K_v: "view",
+    pygame.K_ESCAPE: "leave",
+}
+"""While a recording is shown."""

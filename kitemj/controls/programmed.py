@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from kitemj.controls.actions import NAMES
 from kitemj.controls.settings import law_of
 from kitemj.controls.stick_mapping import Deflections, command_of
-from kitemj.data_files import STICKS, shipped_or_file
+from kitemj.data_files import STICKS, read_text, shipped_or_file
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.live import Command
@@ -102,20 +102,21 @@ def read_programmed_stick(path: Path, parameters: Parameters) -> ProgrammedStick
 
 def _cells(path: Path) -> Iterator[tuple[str, dict[str, str]]]:
     """For each row its place in the file, and its cells by column."""
-    try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        why = getattr(error, "strerror", None) or error
-        raise InputError(f"cannot read {path}: {why}") from None
+    lines = read_text(path).splitlines()
     columns: list[str] = []
     for number, line in enumerate(lines, 1):
         if not line.strip() or line.lstrip().startswith("#"):
             continue
-        cells = [cell.strip() for cell in next(csv.reader([line]))]
+        where, known = f"{path}, line {number}", len(columns)
+        try:
+            cells = [cell.strip() for cell in next(csv.reader([line]))]
+        except csv.Error as error:
+            raise InputError(f"not a row of cells with commas between: {error} ({where})") from None
         if not columns:
             columns = cells
+            if twice := [name for name in columns if columns.count(name) > 1]:
+                raise InputError(f"the column {twice[0]} is given twice: keep one ({where})")
             continue
-        where, known = f"{path}, line {number}", len(columns)
         if len(cells) != known:
             said = f"{len(cells)} cells where the first line names {known} columns"
             raise InputError(f"{said} ({where})")

@@ -123,6 +123,5 @@ def write_layout(path: Path, guid: str, layout: Layout, overwrite: bool = False)
         document["pads"] = tomlkit.table(is_super_table=True)
     document["pads"][guid] = layout.table()
     path.parent.mkdir(parents=True, exist_ok=True)
-    # a link stays a link
-    with new_file(path.resolve(), overwrite=True) as part:
+    with new_file(path, overwrite=True) as part:
         part.write_text(tomlkit.dumps(document), encoding="utf-8")

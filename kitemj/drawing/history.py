@@ -54,11 +54,15 @@ class History:
         self._points: deque[Point] = deque(maxlen=TRAIL_POINTS)
         self._lateness, self._frame_time = Rolling(), Rolling()
         self._alarm: tuple[float, Alarm] | None = None
+        self._t = 0.0  # s, of the last motion
 
     def add(self, now: float, motion: Motion, lateness: float | None = None) -> None:
         """Adds a tick that was done `lateness` [s] late, or, where no clock is kept, a frame."""
         if lateness is not None:
             self._lateness.add(now, lateness)
+        if motion.t < self._t:  # another flight, or the same one from before its alarm
+            self._alarm = None
+        self._t = motion.t
         while self._points and self._points[-1].t >= motion.t:  # the flight went back
             self._points.pop()
         if not self._points or motion.t - self._points[-1].t > TRAIL_STEP - 1e-6:

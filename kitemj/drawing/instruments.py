@@ -18,7 +18,7 @@ from kitemj.drawing.panel import LARGE, NAME, NOW, NUMBER, Panel, Place, box_of
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.scene import newtons_per_metre
 from kitemj.drawing.strip_chart import paint_chart
-from kitemj.drawing.tensions import paint_tensions
+from kitemj.drawing.tensions import paint_tensions, scale_of
 from kitemj.drawing.text import width
 from kitemj.drawing.wind_window import WindWindow, bearing
 from kitemj.dynamics.motion import Motion
@@ -39,7 +39,7 @@ class Instruments:
         """Sizes follow the height; a frame of 720 rows has them as they are written here."""
         self.parameters, self.width, self.height = parameters, width, height
         self.u = min(height / 720, width / 1280)
-        self._window = WindWindow(parameters)
+        self._window, self._pulls = WindWindow(parameters), scale_of(parameters)
         self._boxes = self._layout()
         self.taken: list[pygame.Rect] = []
         """The boxes of all that is painted in the last frame [px]."""
@@ -62,6 +62,8 @@ class Instruments:
         names = [name for name in PANELS if name in shown and (timed or name != "chart")]
         twist = traces.twist if traces else 0.0
         alarm = alarm_at(self.parameters, motion, twist) or (traces.alarm if traces else None)
+        if readings.touch and readings.touch.gentle:
+            alarm = None  # a kite that was landed is where it was meant to be
         # the panel that alarms comes last, so that its frame lies over its neighbours
         for name in sorted(names, key=lambda name: loudness(alarm, name)):
             self._paint_panel(name, surface, motion, readings, loudness(alarm, name))
@@ -122,7 +124,7 @@ class Instruments:
         elif name == "air":
             self._air(panel, motion, alarm)
         elif name == "lines":
-            paint_tensions(panel, self.parameters, motion, alarm)
+            paint_tensions(panel, self.parameters, self._pulls, motion, alarm)
         elif name == "knob":
             wish, most = readings.delta_command, self.parameters.stick.delta
             paint_knob(panel, motion.control.delta, wish, most, readings.law)

@@ -35,7 +35,7 @@ class RecordedTraces:
         first = max(start, row - self._every * (history.TRAIL_POINTS - 1))
         trail = self._places[row : first - 1 if first else None : -self._every][::-1].copy()
         twist, alarm = float(self._twist[row]), None
-        held = max(0, row - round(HELD / self._tick))
+        held = max(start, row - round(HELD / self._tick))
         if len(recent := np.flatnonzero(self._beyond[held : row + 1][::-1])):
             last = row - int(recent[0])
             motion, turned = self._track.motion(last), float(self._twist[last])

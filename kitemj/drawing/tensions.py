@@ -1,14 +1,18 @@
-"""The tensions as bars up to the largest allowed; a slack line says so in place of its bar.
+"""The tensions as bars that a pilot flies by; a slack line says so in place of its bar.
 
-The bar grows with the square root of the tension: a line that is about to go slack and one
-that is about to break are both seen. Marks stand at 1/16, 1/4, 9/16 and all of the ceiling.
+A bar grows with the square root of the tension, as the airspeed does: a line that is about to go
+slack is seen as well as one that pulls hard. Its marks are the pull at rest and that at twice,
+three times, ... the airspeed; the largest tension allowed has one where a flight may come near.
 """
 
-from math import sqrt
+from math import inf, sqrt
+from typing import NamedTuple
 
 from kitemj.drawing.colours import BAD, CALL, INK, LEFT, RIGHT, TROUGH, WHITE
-from kitemj.drawing.panel import LARGE, NOW, NUMBER, Panel
+from kitemj.drawing.panel import LARGE, NAME, NOW, NUMBER, Panel
+from kitemj.drawing.text import width
 from kitemj.dynamics.motion import Motion
+from kitemj.flight.equilibrium import pull_at_rest
 from kitemj.flight.limits import OVERLOAD, SLACK, Numbers
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import rig_of
@@ -18,33 +22,79 @@ BAR = 74.0  # where it begins
 ROOM = 206.0  # how long it is
 TOP, ROWS = 32.0, 80.0  # where the rows of lines begin, and how tall they are together
 HANGS = 1e-3  # m that a line is longer than its distance
+FASTEST = 5
+"""Times the airspeed at rest: where a bar ends. No kite with L/D below 5 comes to fly faster."""
+TITLED = 96.0  # where the panel's title is over
+LETTERS = 9  # of a line's name, at most
 
 
-def paint_tensions(panel: Panel, parameters: Parameters, motion: Motion, alarm: int) -> None:
+class Scale(NamedTuple):
+    """The scale of the bars: pull at rest (infinite: it cannot rest) and at a bar's end [N]."""
+
+    rest: float
+    full: float
+
+    def share(self, tension: float) -> float:
+        """The part of the bar, 0..1, that `tension` [N] fills."""
+        return min(sqrt(max(tension, 0.0) / self.full), 1.0)
+
+
+def scale_of(parameters: Parameters) -> Scale:
+    """The scale for a set in its own wind; up to the largest tension allowed, or less."""
+    rest = pull_at_rest(parameters) or inf
+    return Scale(rest, min(FASTEST**2 * rest, parameters.limits.tension_max))
+
+
+def paint_tensions(
+    panel: Panel, parameters: Parameters, scale: Scale, motion: Motion, alarm: int
+) -> None:
     """Paints the panel of tensions."""
-    limits, ceiling = parameters.limits, parameters.limits.tension_max
-    panel.text("LINES", 12, 20)
-    panel.text(f"{ceiling / 4:.0f}", BAR + ROOM / 2, 20, align=0.5)
-    panel.text(f"max {ceiling:.0f} N", BAR + ROOM - 44, 20)
+    _head(panel, scale, parameters.limits.tension_max)
     names = ("left", "right", *rig_of(parameters).lines[2:])
     pitch = ROWS / len(names)
     half = 0.325 * pitch  # of a bar's height
     for i, (name, line) in enumerate(zip(names, motion.lines, strict=True)):
         row, colour = TOP + (i + 0.5) * pitch, (LEFT, RIGHT, WHITE)[min(i, 2)]
         tension, hangs = line.tension_kite, line.length - norm(line.points[-1])
-        slack = hangs > HANGS or not SLACK.kept(limits, Numbers((tension,)))
-        over = not OVERLOAD.kept(limits, Numbers((tension,)))
-        panel.text(name, 12, row, colour=WHITE if alarm == NOW else colour)
+        slack = hangs > HANGS or not SLACK.kept(parameters.limits, Numbers((tension,)))
+        over = not OVERLOAD.kept(parameters.limits, Numbers((tension,)))
+        _name(panel, name, row, WHITE if alarm == NOW else colour)
         panel.bar(BAR, row - half, ROOM, 2 * half, TROUGH)
         if slack:
             panel.bar(BAR, row - half, ROOM, 2 * half, CALL)
             panel.text(f"SLACK  {max(hangs, 0.0):.2f} m", BAR + ROOM / 2, row, 18, INK, 0.5)
         else:
-            share = min(sqrt(max(tension, 0.0) / ceiling), 1.0)
+            share = scale.share(tension)
             panel.bar(BAR, row - half, share * ROOM, 2 * half, BAD if over else colour)
-        for quarter in (1, 2, 3, 4):
-            tall = 2 * (half + 3) if quarter == 4 else 8
-            panel.bar(BAR + quarter / 4 * ROOM - 1, row + half + 3 - tall, 2, tall, WHITE)
+        _marks(panel, scale, parameters.limits.tension_max, row, half)
         value = f"{tension:.1f} N" if abs(tension) < 99.95 else f"{tension:.0f} N"
         colour, size = (CALL, LARGE - 2) if slack or over else (WHITE, NUMBER)
         panel.text(value, panel.width - 10, row, size if alarm == NOW else NUMBER, colour, 1)
+
+
+def _head(panel: Panel, scale: Scale, most: float) -> None:
+    """Writes what the marks are, above them."""
+    panel.text("LINES", 12, 20)
+    if scale.rest < scale.full:
+        rest = f"rest {scale.rest:.{2 if scale.rest < 9.5 else 3}g} N"
+        half = width(rest, NAME * panel.unit) / panel.unit / 2
+        middle = max(BAR + scale.share(scale.rest) * ROOM, TITLED + half)
+        panel.text(rest, middle, 20, align=0.5)
+    panel.text(f"max {most:.0f} N", panel.width - 10, 20, align=1)
+
+
+def _marks(panel: Panel, scale: Scale, most: float, row: float, half: float) -> None:
+    """Marks rest, twice, three times, ... its airspeed, and `most`; tall ones rest and `most`."""
+    pulls = [times**2 * scale.rest for times in range(1, FASTEST + 1)]
+    for pull in (*(pull for pull in pulls if pull < most), most):
+        tall = 2 * (half + 3) if pull in (scale.rest, most) else 8
+        if pull <= scale.full:
+            x = BAR + scale.share(pull) * ROOM - 1
+            panel.bar(x, row + half + 3 - tall, 2, tall, WHITE)
+
+
+def _name(panel: Panel, name: str, row: float, colour: tuple[int, int, int]) -> None:
+    """Writes a line's name into the room before its bar; a long one is smaller, and cut."""
+    shown = name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…"
+    wide = width(shown, NAME * panel.unit) / panel.unit
+    panel.text(shown, 12, row, NAME * min(1.0, (BAR - 18) / wide), colour)

@@ -22,6 +22,9 @@ DEFAULT_STEP = 0.002
 MAX_STEP = 0.1
 """s; the fastest motion of a kite of this size would not be resolved beyond."""
 
+MIN_STEP = 1e-6
+"""s; a second is a million of them, and shorter ones add no digit."""
+
 
 class Instant(NamedTuple):
     """The accelerations at one state.
@@ -104,10 +107,12 @@ MODELS: Registry[type[Model]] = Registry(
 
 
 def check_model(name: str, step: float) -> None:
-    """Raises InputError for an unknown model, and a step [s] that is not positive, or too long."""
+    """Raises InputError for an unknown model, and a step [s] that is too short, or too long."""
     MODELS.check(name)
     if not 0 < step <= MAX_STEP:
         raise InputError(f"`step` must be > 0 s and <= {MAX_STEP} s, got {step} s")
+    if step < MIN_STEP:
+        raise InputError(f"`step` must be >= {MIN_STEP:g} s, got {step} s: shorter is no better")
 
 
 def make_model(name: str, parameters: Parameters, step: float = DEFAULT_STEP) -> Model:

@@ -29,7 +29,7 @@ from kitemj.equilibria.shooting import (
     primitive,
 )
 from kitemj.equilibria.trim import trimmed
-from kitemj.errors import InputError
+from kitemj.errors import NothingFound
 from kitemj.flight.limits import Departure, first_departure
 from kitemj.physics.parameters import Parameters
 from kitemj.tables import Cell, Table, Tabled
@@ -110,15 +110,15 @@ def cycle(
 ) -> Cycle:
     """The cycle that the kite settles on when left beside its equilibrium, lines held.
 
-    `ell` [m] (None: ℓ₀), `delta` [rad]. Raises InputError where there is no equilibrium,
-    where it is stable, and where no cycle was found.
+    `ell` [m] (None: ℓ₀), `delta` [rad]. Raises InputError where there is no equilibrium, and
+    NothingFound where it is stable, or no cycle was found.
     """
     x_eq, control = trimmed(parameters, ell, delta, source)
     lagrange = Minimal("lagrange", parameters)
     values, vectors = np.linalg.eig(state_matrix(lagrange, x_eq, control))
     worst = int(np.argmax(values.real))
     if values[worst].real <= 0:
-        raise InputError(
+        raise NothingFound(
             f"the equilibrium is stable (largest real part {values[worst].real:.4g} 1/s): no "
             f"cycle grows from it ({source}); vary a parameter to find where its stability is lost"
         )
@@ -130,20 +130,20 @@ def cycle(
     for closeness in RETURNS:
         try:
             x, T, t = _settled(lagrange, section, x, closeness, t)
-        except InputError as error:
-            raise InputError(f"no cycle found ({source}): {error}") from None
+        except NothingFound as error:
+            raise NothingFound(f"no cycle found ({source}): {error}") from None
         found = closed(lagrange, section, x, T)
         if found and np.abs((found.x - x_eq) / section.units).max() > STANDS:
             found = primitive(lagrange, section, found)
             break
     else:
-        raise InputError(f"no cycle closes near the flight from the equilibrium ({source})")
+        raise NothingFound(f"no cycle closes near the flight from the equilibrium ({source})")
     if model == "lagrange":
         return _told(lagrange, section, found)
     kite = Minimal(model, parameters)
     own = closed(kite, section, found.x, found.period, _monodromy(lagrange, section, found))
     if own is None:
-        raise InputError(f"the cycle does not close by the model {model} ({source})")
+        raise NothingFound(f"the cycle does not close by the model {model} ({source})")
     return _told(kite, section, own)
 
 
@@ -153,7 +153,7 @@ def _settled(
     """Flies until the kite comes back to itself: x (8,) there, the period [s], the time [s].
 
     Goes on from `x` (8,) [rad, rad/s] at `t` [s]. Two passages through the section may differ
-    by `closeness`, in parts of the distance to the equilibrium. Raises InputError.
+    by `closeness`, in parts of the distance to the equilibrium. Raises NothingFound.
     """
     x_eq, control, k, units = section
     returns: list[tuple[float, Array]] = []
@@ -164,7 +164,7 @@ def _settled(
         before = np.concatenate((before[:4] - turns, before[4:]))
         if not np.isfinite(x).all() or cos(x[1]) < 1e-3:
             where = f"the equations' domain after {t:.0f} s"
-            raise InputError(f"the flight from the unstable equilibrium leaves {where}")
+            raise NothingFound(f"the flight from the unstable equilibrium leaves {where}")
         if not (before[k] < x_eq[k] <= x[k] < x_eq[k] + 1):
             continue
         part = (x_eq[k] - before[k]) / (x[k] - before[k])
@@ -176,7 +176,7 @@ def _settled(
             if change < closeness * np.linalg.norm((at - x_eq) / units):
                 return at, returns[-1][0] - time, t
     known = f"does not come back to itself within {PATIENCE:g} s"
-    raise InputError(f"the flight from the unstable equilibrium {known}")
+    raise NothingFound(f"the flight from the unstable equilibrium {known}")
 
 
 def _monodromy(kite: Minimal, section: Section, found: Closed) -> Array:

@@ -9,6 +9,10 @@ from kitemj.equilibria.modes import growth_or_nan
 from kitemj.equilibria.vary import check_range, unit_of, with_value
 from kitemj.errors import InputError
 from kitemj.physics.parameters import Parameters
+from kitemj.progress_bar import with_progress
+
+MOST_POINTS = 1000
+"""Along each parameter: a million in all take an hour or two."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +60,9 @@ def stability_map(
     """
     if x[0] == y[0]:
         raise InputError(f"a map needs two different parameters, got {x[0]} twice")
-    if points < 2:
-        raise InputError(f"a map needs 2 or more points along each parameter, got {points}")
+    if not 2 <= points <= MOST_POINTS:
+        known = f"a map needs 2 or more points along each parameter, {MOST_POINTS} at most"
+        raise InputError(f"{known}, got {points}")
     for name, low, high in (x, y):
         check_range(parameters, name, low, high)
     axes = [
@@ -65,7 +70,7 @@ def stability_map(
         for name, low, high in (x, y)
     ]
     values = np.full((points, points), complex(np.nan, np.nan))
-    for j, y_value in enumerate(axes[1].values):
+    for j, y_value in enumerate(with_progress("rows of the map", axes[1].values, points)):
         row = with_value(parameters, y[0], float(y_value))
         for i, x_value in enumerate(axes[0].values):
             values[j, i] = growth_or_nan(with_value(row, x[0], float(x_value)), ell, delta)

@@ -18,7 +18,7 @@ from kitemj.equilibria.linearise import Linear, linearise, state_matrix
 from kitemj.equilibria.minimal import Array, Minimal, state_of
 from kitemj.equilibria.trim import trimmed
 from kitemj.equilibria.vary import check_range, unit_of, with_value
-from kitemj.errors import InputError
+from kitemj.errors import InputError, NothingFound
 from kitemj.physics.frames import R_1E, Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.tables import Table, Tabled
@@ -160,8 +160,8 @@ def crossings(
 
     Looked for between `POINTS` values, so that two changes closer than the range over 80 can
     be missed; each is then found to 12 digits by Brent's method on the largest real part.
-    Raises InputError for an unknown name, a range no set may have, and a range with no change or
-    no equilibrium in it.
+    Raises InputError for an unknown name and a range no set may have, NothingFound for a range
+    with no change or no equilibrium in it.
     """
     check_range(parameters, name, low, high)
 
@@ -187,17 +187,17 @@ def crossings(
     return found
 
 
-def _no_change(parameters: Parameters, name: str, grid: Array, reals: Array) -> InputError:
+def _no_change(parameters: Parameters, name: str, grid: Array, reals: Array) -> NothingFound:
     unit = f" {unit_of(parameters, name)}".rstrip()
     where = f"for {name} from {grid[0]:g} to {grid[-1]:g}{unit}"
     known = np.isfinite(reals)
     if not known.any():
-        return InputError(f"there is no equilibrium {where}; give another range")
+        return NothingFound(f"there is no equilibrium {where}; give another range")
     what = "stable" if (reals[known] < 0).all() else "unstable"
     if (reals[known] < 0).any() and (reals[known] >= 0).any():
         what = "stable in part and unstable in part, with no equilibrium between,"
     missing = "" if known.all() else f" wherever it stands ({np.sum(known)} of {POINTS} values)"
-    return InputError(
+    return NothingFound(
         f"the equilibrium is {what}{missing} {where}: no stability is lost (largest real part "
         f"{np.nanmin(reals):.4g} to {np.nanmax(reals):.4g} 1/s); give another range"
     )

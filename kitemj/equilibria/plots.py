@@ -55,6 +55,8 @@ def modes_figure(found: Stability) -> Figure:
     right = max(0.1 * abs(min(reals)), 1.2 * max(reals))
     axes[0].set(xlim=(1.1 * min(reals), right), title=f"Modes ({stable}, {found.linear.model})")
     axes[1].set(xlim=(-slowest, slowest), ylim=(-slowest, slowest), title="close to the axis")
+    axes[1].set_aspect("equal")
+    axes[0].text(0.02, 0.02, "axes of different scale", transform=axes[0].transAxes, fontsize=7)
     axes[0].legend(fontsize=7)
     _note(figure, v_ref_note(found.V_ref))
     return figure
@@ -90,6 +92,7 @@ def cycle_figure(found: Cycle) -> Figure:
     sky.plot(-azimuth[0], elevation[0], "o", ms=5)
     stable = "stable" if found.stable else "unstable"
     sky.set(xlabel="to the pilot's right [deg]", ylabel="elevation [deg]")
+    sky.set_aspect("equal", adjustable="datalim")
     sky.set_title(f"{stable} cycle, {found.period:.4f} s ({found.model})")
     q = np.degrees([motion.q or () for motion in motions])
     angles.plot(t, q, label=["φ", "γ", "η", "θ"])
@@ -98,7 +101,7 @@ def cycle_figure(found: Cycle) -> Figure:
     tensions = [motion.tensions for motion in motions]
     pull.plot(t, tensions, label=["left (A₊)", "right (A₋)"])
     pull.set(xlabel="time [s]", ylabel="tension [N]", title="lines", ylim=(0, None))
-    pull.legend(fontsize=8)
+    pull.legend(fontsize=8, loc="lower center")
     _note(figure, v_ref_note(found.V_ref))
     return figure
 

@@ -257,12 +257,23 @@ def equilibrium(parameters: Parameters, source: str = "parameters") -> Equilibri
     The wind is `parameters.wind.speed` everywhere: gusts, shear and azimuth are left out.
     Raises InputError where there is none.
     """
-    still = parameters._replace(wind=Wind(parameters.wind.speed))
-    ell = rest_ell(parameters.lines.length, parameters.kite.y_A)
+    still, ell = _still(parameters)
     found = symmetric_equilibria(still, ell)
     if not found:
         raise no_equilibrium(still, ell, source)
     return found[0]
+
+
+def pull_at_rest(parameters: Parameters) -> float | None:
+    """The tension [N] of each line in `equilibrium`; None where there is none, at once."""
+    found = symmetric_equilibria(*_still(parameters))
+    return found[0].tension if found else None
+
+
+def _still(parameters: Parameters) -> tuple[Parameters, float]:
+    """The set in a wind that is the same everywhere, and ℓ₀ [m]."""
+    still = parameters._replace(wind=Wind(parameters.wind.speed))
+    return still, rest_ell(parameters.lines.length, parameters.kite.y_A)
 
 
 def equilibrium_state(parameters: Parameters, source: str = "parameters") -> State:

@@ -3,10 +3,14 @@
 import csv
 from math import degrees
 from pathlib import Path
+from typing import Any
 
 from kitemj.dynamics.motion import Motion
-from kitemj.files import new_file
-from kitemj.physics.rig import TWO_LINES, Rig
+from kitemj.flight.scenario import Scenario
+from kitemj.flight.simulate import Simulation
+from kitemj.metadata import new_csv
+from kitemj.physics.parameter_files import parameter_tables
+from kitemj.physics.rig import TWO_LINES, Rig, rig_of
 
 
 def columns_of(rig: Rig) -> tuple[str, ...]:
@@ -23,14 +27,23 @@ def columns_of(rig: Rig) -> tuple[str, ...]:
 COLUMNS = columns_of(TWO_LINES)
 
 
-def write_csv(
-    path: Path, motions: list[Motion], overwrite: bool = False, rig: Rig = TWO_LINES
-) -> None:
-    """A row for each motion, in the columns of `rig`, all digits kept."""
-    with new_file(path, overwrite) as part, part.open("w", newline="", encoding="utf-8") as file:
+def write_csv(path: Path, flight: Simulation, overwrite: bool = False) -> None:
+    """A row for each motion, in the columns of its rig, all digits kept; beside it, what flew."""
+    about = about_flight(flight.scenario, flight.model)
+    with (
+        new_csv(path, about, overwrite) as part,
+        part.open("w", newline="", encoding="utf-8") as file,
+    ):
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns_of(rig))
-        writer.writerows(row(motion) for motion in motions)
+        writer.writerow(columns_of(rig_of(flight.scenario.parameters)))
+        writer.writerows(row(motion) for motion in flight.motions)
+
+
+def about_flight(scenario: Scenario, model: str = "") -> dict[str, Any]:
+    """What a table says of the flights in it: from which scenario, with which kite and wind."""
+    parameters = parameter_tables(scenario.parameters)
+    about = {"scenario": scenario.source, "model": model, "parameters": parameters}
+    return {name: what for name, what in about.items() if what}
 
 
 def row(motion: Motion) -> list[float]:

@@ -20,6 +20,10 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.steering import Programme, Sines, Spline, rest_ell
 
+MOST_ROWS = 1_000_000
+"""Rows of a flight: each takes some 2 kB of memory while it is flown, and a line of a table."""
+CLOSEST = 1e-6
+"""s; between two rows of a steering table. No hand is quicker, and the spline keeps its digits."""
 PROGRAMMES = ("rest", "sine", "table")
 STARTS = ("equilibrium", "state")
 
@@ -119,11 +123,21 @@ def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
             f"output_interval must be <= duration = {times.duration} s, "
             f"got {times.output_interval} s ({source})"
         )
+    check_rows(times, f"output_interval = {times.output_interval:g} s", source)
     steering = _section(tables, "steering", source)
     steered = "programme" in steering
     programme = _programme(steering, parameters, times, source)
     start = _start(_section(tables, "start", source), parameters, source)
     return Scenario(source, parameters, programme, start, times, steered)
+
+
+def check_rows(times: Times, asked: str, source: str) -> None:
+    """Raises InputError for more rows than `MOST_ROWS`; `asked` is what makes them so many."""
+    if times.duration / MOST_ROWS > times.output_interval:
+        raise InputError(
+            f"{asked} makes too many rows of {times.duration:g} s ({source}): at most {MOST_ROWS}, "
+            f"one every {times.duration / MOST_ROWS:g} s"
+        )
 
 
 def _section(tables: Mapping[str, Any], name: str, source: str) -> dict[str, Any]:
@@ -172,8 +186,9 @@ def _spline(
                 f"steering.{name} has {len(column)} values where steering.t has {len(t)}: "
                 f"give one for each time ({source}, [steering])"
             )
-    if len(t) < 2 or np.any(np.diff(t) <= 0):
-        raise InputError(f"steering.t must hold 2 or more ascending times ({source}, [steering])")
+    if len(t) < 2 or np.any(np.diff(t) < CLOSEST):
+        known = f"2 or more ascending times, {CLOSEST:g} s apart or more"
+        raise InputError(f"steering.t must hold {known} ({source}, [steering])")
     if t[0] > 0 or t[-1] < times.duration:
         raise InputError(
             f"steering.t must reach from 0 s to the duration {times.duration} s, "

@@ -56,8 +56,12 @@ class TableAero(NamedTuple):
     airspeed: p̂ = b p / (2|v|), q̂ = c q / (2|v|), r̂ = b r / (2|v|).
     """
 
-    table: tuple[Row, Row, Row, Row, Row, Row]
-    surfaces: Powers = (0.0, 0.0, 0.0)
+    table: Annotated[tuple[Row, Row, Row, Row, Row, Row], Quantity("", "c_0k and its fellows")]
+    surfaces: Annotated[Powers, Quantity("rad", "s, what the surfaces are turned by")] = (
+        0.0,
+        0.0,
+        0.0,
+    )
 
 
 def _coefficients(

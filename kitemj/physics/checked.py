@@ -1,6 +1,6 @@
 """A table of a TOML file made into a checked ``NamedTuple``, or one sentence for people."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from functools import cache
 from math import radians
@@ -22,9 +22,36 @@ def checked(kind: type[T], table: Mapping[str, Any], section: str, source: str) 
     """
     values = {key: _tuples(value) for key, value in table.items()}
     try:
-        return _adapter(kind).validate_python(values)  # type: ignore[no-any-return, arg-type]
+        made: T = _adapter(kind).validate_python(values)  # type: ignore[arg-type]
     except ValidationError as error:
-        raise InputError(_sentence(kind, error.errors()[0], section, source)) from None
+        raise InputError(_sentence(kind, values, error.errors()[0], section, source)) from None
+    _check_sensible(made, section, source)
+    return made
+
+
+def _check_sensible(made: Any, section: str, source: str) -> None:
+    """Raises InputError for the first number that is absurd, in tables within too."""
+    for name, quantity in _quantities(made.__class__).items():
+        value, field = getattr(made, name), _dotted(section, name)
+        if hasattr(value, "_fields"):
+            _check_sensible(value, field, source)
+        elif quantity:
+            (least, most), unit = quantity.sensible, f" {quantity.unit}".rstrip()
+            for number in _numbers_in(value):
+                if not least <= abs(number) <= most:
+                    known = f"{least if quantity.gt == 0 else -most:g} to {most:g}{unit}"
+                    raise InputError(f"{field} must be {known}, got {number!r}{unit} ({source})")
+
+
+def _numbers_in(value: Any) -> list[float]:
+    """The value if it is a number, or those in it."""
+    if isinstance(value, tuple):
+        return [number for each in value for number in _numbers_in(each)]
+    return [value] if _is_number(value) else []
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 @cache
@@ -59,8 +86,7 @@ def _tuples(value: Any) -> Any:
 def _radians(value: Any) -> Any:
     if isinstance(value, list):
         return [_radians(item) for item in value]
-    number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    return radians(value) if number else value
+    return radians(value) if _is_number(value) else value
 
 
 def unknown_key(name: str, known: Sequence[str], section: str, source: str) -> InputError:
@@ -85,17 +111,47 @@ def _dotted(section: str, name: str) -> str:
 
 def quantity_of(kind: type, name: str) -> Quantity | None:
     """What the annotation of the field `name` says; None where it says nothing."""
-    hint = get_type_hints(kind, include_extras=True).get(name)
-    if get_origin(hint) is not Annotated:
-        return None
-    return next((extra for extra in get_args(hint)[1:] if isinstance(extra, Quantity)), None)
+    return _quantities(kind).get(name)
 
 
-def _sentence(kind: type, error: Any, section: str, source: str) -> str:
+@cache
+def _quantities(kind: Hashable) -> Mapping[str, Quantity | None]:
+    """By the names of the fields what their annotations say."""
+    extras = {
+        name: get_args(hint)[1:] if get_origin(hint) is Annotated else ()
+        for name, hint in get_type_hints(kind, include_extras=True).items()
+    }
+    return {
+        name: next((each for each in several if isinstance(each, Quantity)), None)
+        for name, several in extras.items()
+    }
+
+
+def _shape(hint: Any) -> tuple[int | None, ...]:
+    """How many numbers a type of nested tuples holds at each depth; None: any number of them."""
+    if get_origin(hint) is not tuple:
+        return next(filter(None, map(_shape, get_args(hint))), ())  # of an optional one
+    inner = get_args(hint)
+    return (None if Ellipsis in inner else len(inner), *_shape(inner[0]))
+
+
+def _shape_of(value: Any) -> str:
+    """The shape of a list of lists of equal lengths, in words."""
+    lengths = []
+    while isinstance(value, (list, tuple)):
+        lengths.append(len(value))
+        if len({len(each) if isinstance(each, (list, tuple)) else -1 for each in value}) > 1:
+            return f"{' x '.join(map(str, lengths))} of unequal parts"
+        value = value[0] if value else None
+    return " x ".join(map(str, lengths))
+
+
+def _sentence(kind: type, values: Mapping[str, Any], error: Any, section: str, source: str) -> str:
     name = str(error["loc"][0]) if error["loc"] else ""
     part: Any = get_type_hints(kind).get(name)
     if len(error["loc"]) > 1 and hasattr(part, "_fields"):
-        return _sentence(part, {**error, "loc": error["loc"][1:]}, _dotted(section, name), source)
+        within = {**error, "loc": error["loc"][1:]}
+        return _sentence(part, values[name], within, _dotted(section, name), source)
     where = f"({source}, [{section}])" if section else f"({source})"
     field = _dotted(section, name)
     quantity = quantity_of(kind, name)
@@ -104,6 +160,13 @@ def _sentence(kind: type, error: Any, section: str, source: str) -> str:
     got, problem = error["input"], error["type"]
     if problem == "extra_forbidden":
         return str(unknown_key(name, list(kind._fields), section, source))  # type: ignore[attr-defined]
+    if name in values and (shape := _shape(part)):
+        numbers = "a list of numbers" if None in shape else f"{' x '.join(map(str, shape))} numbers"
+        told = _shape_of(values[name])
+        if told != " x ".join(map(str, shape)) and (None not in shape or not told):
+            return f"{field} must be {numbers}, got {told or repr(got)}{meaning} {where}"
+        place = "".join(f"[{index}]" for index in error["loc"][1:])
+        return f"{field}{place} must be a number, got {got!r}{meaning} {where}"
     if len(error["loc"]) > 1:
         place = "".join(f"[{index}]" for index in error["loc"][1:])
         return f"{field}{place}: {error['msg']}{meaning} {where}"

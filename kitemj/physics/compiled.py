@@ -6,23 +6,20 @@ by the type of its first argument, in both worlds: that is how another aerodynam
 or another steering programme takes its place without touching the dynamics.
 """
 
-import hashlib
-import multiprocessing
+import os
 import sys
-import tempfile
 from collections.abc import Callable
-from contextlib import suppress
-from functools import cache
-from pathlib import Path
+from multiprocessing import parent_process
 from typing import Any, TypeVar
 
-import numba
 import numpy as np
 from numba import njit
 from numba.core import event
 from numba.extending import overload
 from numpy.typing import NDArray
-from platformdirs import user_cache_path
+
+from kitemj.physics.code_folder import INHERITED, code_folder
+from kitemj.physics.machine_code import MachineCode
 
 Array = NDArray[np.float64]
 F = TypeVar("F", bound=Callable[..., Any])
@@ -32,26 +29,6 @@ OPTIONS: Any = {
     "error_model": "numpy",
     "no_cfunc_wrapper": True,  # nothing calls through a C pointer; a tenth of the compiling
 }
-PACKAGE = Path(__file__).parent.parent
-
-
-@cache
-def cache_folder() -> Path:
-    """Where machine code is kept: one folder for each state of the formulas.
-
-    numba notices a change in a function's own file only, never in the files of the
-    functions that it calls, so the name carries a hash of every formula.
-    """
-    digest = hashlib.sha256()
-    for source in sorted(PACKAGE.glob("*/*.py")):
-        if b"@compiled" in (text := source.read_bytes()) or source.parent.name == "physics":
-            digest.update(text)
-    home = user_cache_path("kitemj")
-    try:
-        home.mkdir(parents=True, exist_ok=True)
-    except OSError:  # a home that cannot be written: compile in every process
-        home = Path(tempfile.mkdtemp(prefix="kitemj-"))
-    return home / f"compiled-{digest.hexdigest()[:16]}"
 
 
 class _FirstCompilation(event.Listener):
@@ -61,8 +38,9 @@ class _FirstCompilation(event.Listener):
 
     def on_start(self, event: event.Event) -> None:
         """A formula is about to be compiled: it was not found on the disk."""
-        kept = any(cache_folder().glob("**/*.nbi"))
-        if not (self.said or multiprocessing.parent_process() or kept):
+        folder = code_folder()
+        known = os.environ.get(INHERITED) or folder is None or any(folder.iterdir())
+        if not (self.said or parent_process() or known):
             print("compiling the formulas for this machine, once: some 15 s", file=sys.stderr)
         self.said = True
 
@@ -72,41 +50,13 @@ class _FirstCompilation(event.Listener):
 
 event.register("numba:compile", _FirstCompilation())  # type: ignore[no-untyped-call]
 
-_formulas: list[Any] = []
-_strangers: dict[str, bytes] = {}
-"""Files outside the package that hold formulas, those of a user, or cells of a notebook."""
-
 
 def compiled(function: F) -> F:
     """Machine code for `function`, kept on disk, free of the interpreter's lock."""
-    machine_code: Any = njit(**OPTIONS)(function)
-    if machine_code is not function:  # numba can be told to leave everything Python
-        _formulas.append(machine_code)
-        code = function.__code__
-        source = Path(code.co_filename)
-        if PACKAGE in source.parents or code.co_filename in _strangers:
-            _keep([machine_code])
-        else:  # from now on nothing is kept where processes without this file would find it
-            cell = code.co_code + repr(code.co_consts).encode()
-            name = code.co_filename if source.is_file() else f"{code.co_filename} {code.co_name}"
-            _strangers[name] = source.read_bytes() if source.is_file() else cell
-            _keep(_formulas)
-    return machine_code  # type: ignore[no-any-return]
-
-
-def _keep(formulas: list[Any]) -> None:
-    folder = cache_folder()
-    if _strangers:
-        digest = hashlib.sha256(b"".join(_strangers[name] for name in sorted(_strangers)))
-        folder = folder.with_name(f"{folder.name}-{digest.hexdigest()[:16]}")
-    settings: Any = numba.config
-    elsewhere, settings.CACHE_DIR = settings.CACHE_DIR, str(folder)
-    try:
-        for formula in formulas:
-            with suppress(RuntimeError):  # typed in, not read from a file: never kept
-                formula.enable_caching()
-    finally:
-        settings.CACHE_DIR = elsewhere
+    formula: Any = njit(**OPTIONS)(function)
+    if formula is not function:  # numba can be told to leave everything Python
+        formula._cache = MachineCode(formula)
+    return formula  # type: ignore[no-any-return]
 
 
 class Law:
@@ -139,6 +89,7 @@ def law(contract: F) -> tuple[F, Law]:
         return register.formulas[type(arguments[0])](*arguments)
 
     by_type.__doc__, by_type.__name__ = contract.__doc__, contract.__name__
+    by_type.law = register  # type: ignore[attr-defined]
 
     @overload(by_type, strict=False)
     def choose(*arguments: Any) -> Any:

@@ -8,6 +8,7 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
+from kitemj.data_files import read_text
 from kitemj.errors import InputError
 from kitemj.physics.aerodynamics import aero_law
 from kitemj.physics.checked import checked, in_radians, unknown_key
@@ -51,11 +52,11 @@ def set_names() -> list[str]:
 def read_toml(path: Path) -> dict[str, Any]:
     """The tables of a file; raises InputError where there is none or it is not TOML."""
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"cannot read {path}: {error.strerror or error}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        return tomllib.loads(read_text(path))
+    except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not valid TOML: {error}") from None
+    except RecursionError:
+        raise InputError(f"{path} nests its tables too deeply to be a file of ours") from None
 
 
 @cache
@@ -85,6 +86,23 @@ def parameter_set(
     }
     parameters = Parameters(**parts)
     _check_together(parameters, source)
+    return parameters
+
+
+def told_parameters(tables: Mapping[str, Mapping[str, Any]], source: str) -> Parameters:
+    """The parameters of which `parameter_tables` made all of `tables`.
+
+    Raises InputError, which names `source`, for whatever cannot be, or is missing: no number is
+    taken from a named set.
+    """
+    for section in Parameters._fields:
+        if not isinstance(tables.get(section), Mapping):
+            raise InputError(f"{source} does not say what its {section} is: it is damaged")
+    parameters = parameter_set("laksa", tables, source)
+    for section, part in parameters._asdict().items():
+        for name in part._fields:
+            if name not in tables[section] and name not in part._field_defaults:
+                raise InputError(f"{source} does not say {section}.{name}: it is damaged")
     return parameters
 
 

@@ -21,6 +21,9 @@ NUDGE = 1 + 1e-9
 STILL = 1e-9
 """rad/s; who asks for less asks to stop where the brakes allow."""
 
+AHEAD = 1000.0
+"""s; how far is planned: ruckig refuses ways of more than 7,600 s, and a tick needs little."""
+
 
 class StickLaw(IntEnum):
     """What a stick's deflection means, in parts of the limit: δ, δ̇ or δ̈."""
@@ -81,9 +84,15 @@ def shaped(
     wish.current_position = [now.delta, now.ell]
     wish.current_velocity = [now.delta_dot, now.ell_dot]
     reach = ell_rest + _within(ell - ell_rest, limits.ell)
-    wish.target_position = [_within(delta, limits.delta), reach]
-    fastest = limits.delta_dot if stops else min(delta_dot, limits.delta_dot)
-    wish.max_velocity = [fastest, limits.ell_dot]
+    delta = _within(delta, limits.delta)
+    asked_rate = limits.delta_dot if stops else delta_dot
+    fastest = min(asked_rate, limits.delta_dot, AHEAD * limits.delta_ddot)
+    reel = min(limits.ell_dot, AHEAD * limits.ell_ddot)
+    wish.target_position = [
+        _ahead(delta, now.delta, now.delta_dot, fastest, limits.delta_ddot),
+        _ahead(reach, now.ell, now.ell_dot, reel, limits.ell_ddot),
+    ]
+    wish.max_velocity = [fastest, reel]
     wish.max_acceleration = [limits.delta_ddot, limits.ell_ddot]
     try:
         planner.calculate(wish, way)
@@ -95,6 +104,12 @@ def shaped(
     ell_ddot = _within((ell_dot - now.ell_dot) / tick, limits.ell_ddot)
     delta_ddot = _within((delta_dot - now.delta_dot) / tick, limits.delta_ddot)
     return Segment(start, now._replace(ell_ddot=ell_ddot, delta_ddot=delta_ddot))
+
+
+def _ahead(target: float, place: float, rate: float, fastest: float, brakes: float) -> float:
+    """The `target`, or what lies on the way there, `AHEAD` at the `fastest` past the braking."""
+    rests, far = place + rate * abs(rate) / (2 * brakes), AHEAD * fastest
+    return max(rests - far, min(rests + far, target))
 
 
 def _within(value: float, limit: float) -> float:

@@ -5,13 +5,14 @@ where it is damaged or cannot be written, the flight goes on and a sentence says
 """
 
 import json
-import os
 from collections.abc import Collection
-from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
 from platformdirs import user_state_path
+
+from kitemj.errors import InputError
+from kitemj.files import new_file
 
 
 class Progress(NamedTuple):
@@ -49,13 +50,11 @@ def write_progress(passed: Collection[str], path: Path | None = None) -> str:
     The file appears whole or not at all.
     """
     path = path or progress_path()
-    new = path.with_name(f"{path.name}.{os.getpid()}.new")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        new.write_text(json.dumps({"passed": sorted(passed)}) + "\n", encoding="utf-8")
-        new.replace(path)
-    except OSError as error:
-        with suppress(OSError):
-            new.unlink(missing_ok=True)
-        return f"{path} cannot be written ({error.strerror or error}): this lesson is not kept"
+        with new_file(path, overwrite=True) as part:
+            part.write_text(json.dumps({"passed": sorted(passed)}) + "\n", encoding="utf-8")
+    except (OSError, InputError) as error:
+        why = getattr(error, "strerror", None) or error
+        return f"{path} cannot be written ({why}): this lesson is not kept"
     return ""

@@ -1,14 +1,19 @@
-"""Where figures go: to files (one each, or pages of a PDF; all are written or none) or windows."""
+"""Where figures go: to files (all are written or none) or windows.
+
+Several figures are the pages of a PDF, or a PNG or SVG of all and one of each.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kitemj.errors import InputError
-from kitemj.files import check_new, new_file
+from kitemj.files import NewFile, check_new
+from kitemj.plots.overview import overview
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,14 +26,16 @@ SHARPNESS = 200
 def check_figures(path: Path, names: Sequence[str], overwrite: bool) -> list[Path]:
     """The files that figures of these `names` go to; InputError where one cannot be written.
 
-    A PDF has a page for each; of several pictures each is called by its name, flight-state.png.
+    `path` is the first, and has all of them; that of a PNG or SVG is followed by one for each of
+    several, called by its name, flight-state.png.
     """
     if path.suffix.lower() not in FORMATS:
         raise InputError(
             f"{path.name} must end in one of {', '.join(FORMATS)} to say which kind of figure it is"
         )
     together = len(names) == 1 or path.suffix.lower() == ".pdf"
-    paths = [path] if together else [path.with_stem(f"{path.stem}-{name}") for name in names]
+    alone = [] if together else [path.with_stem(f"{path.stem}-{name}") for name in names]
+    paths = [path, *alone]
     for each in paths:
         check_new(each, overwrite)
     return paths
@@ -38,18 +45,40 @@ def save_figures(figures: Mapping[str, Figure], path: Path, overwrite: bool = Fa
     """Writes `figures` (by name) to the files that `check_figures` tells, and returns these."""
     paths = check_figures(path, list(figures), overwrite)
     kind = path.suffix[1:].lower()
+    # drawn in memory first: not all that draws says clearly that a disk is full
+    pictures = [_pdf(figures)] if kind == "pdf" else _pictures(list(figures.values()), kind)
     with ExitStack() as stack:
-        parts = [stack.enter_context(new_file(each, overwrite)) for each in paths]
-        if kind == "pdf":
-            from matplotlib.backends.backend_pdf import PdfPages
-
-            pages = stack.enter_context(PdfPages(parts[0]))
-            for figure in figures.values():
-                pages.savefig(figure)
-        else:
-            for figure, part in zip(figures.values(), parts, strict=True):
-                figure.savefig(part, format=kind, dpi=SHARPNESS)
+        files = [NewFile(each, overwrite) for each in paths]
+        for file in files:
+            stack.callback(file.discard)
+        for file, picture in zip(files, pictures, strict=True):
+            with file.naming():
+                file.part.write_bytes(picture)
+        for file in files:
+            file.keep()
     return paths
+
+
+def _pdf(figures: Mapping[str, Figure]) -> bytes:
+    from matplotlib.backends.backend_pdf import PdfPages
+
+    drawn = BytesIO()
+    with PdfPages(drawn) as pages:
+        for figure in figures.values():
+            pages.savefig(figure)
+    return drawn.getvalue()
+
+
+def _pictures(figures: Sequence[Figure], kind: str) -> list[bytes]:
+    """A sheet of several, then each alone."""
+    together = [overview(figures, kind)] if len(figures) > 1 else []
+    return [*together, *(_picture(figure, kind) for figure in figures)]
+
+
+def _picture(figure: Figure, kind: str) -> bytes:
+    drawn = BytesIO()
+    figure.savefig(drawn, format=kind, dpi=SHARPNESS)
+    return drawn.getvalue()
 
 
 def check_windows() -> None:

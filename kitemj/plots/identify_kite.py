@@ -1,4 +1,4 @@
-"""The kite that flew a table, found by its attachments, as a table has no parameters."""
+"""The kite that flew a table which does not say so: as somebody says, or a guess by its lines."""
 
 import numpy as np
 
@@ -22,19 +22,20 @@ TENSIONS, LENGTHS = ("tension_plus_N", "tension_minus_N"), ("length_plus_m", "le
 STILL = Vector(0.0, 0.0, 0.0)
 
 
-def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters]:
+def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters, list[str]]:
     """`kite` (a set, or a scenario's file), else the first set that fits; the parameters it has.
 
-    Those of `table` are not looked at. Raises InputError where its lines do not end at that
-    kite, or at none, or where it lacks the columns to tell and no kite is given.
+    Third, what is to be said of a guess. The parameters of `table` are not looked at. Raises
+    InputError where its lines do not end at that kite, or at none, or where it lacks the columns
+    to tell and no kite is given.
     """
     names = [kite] if kite else sorted(set_names(), key=lambda name: name != DEFAULT)
     kites = {name: parameters_named(name) for name in names}
     lacks = [name for name in (*POSE, *TENSIONS, *LENGTHS) if name not in table.columns]
     if lacks and not kite:
         raise InputError(
-            f"{table.name} does not say which kite flew it, and lacks the column {lacks[0]}, which "
-            f"would tell: give `kite`: one of {', '.join(set_names())}, or a scenario's file"
+            f"{table.name} does not say which kite flew it, and lacks the column {lacks[0]} to "
+            f"guess by: give `kite`: one of {', '.join(set_names())}, or a scenario's file"
         )
     gaps = {name: 0.0 if lacks else line_gap(kites[name], table) for name in kites}
     best = min(gaps, key=lambda name: gaps[name])
@@ -43,7 +44,15 @@ def kite_of_table(table: Flight, kite: str = "") -> tuple[str, Parameters]:
             f"{table.name} was not flown by {' or '.join(kites)}: its lines end {gaps[best]:.2g} m "
             f"from where they should; give another `kite`: a set, or its scenario's file"
         )
-    return best, kites[best]
+    if kite:
+        return best, kites[best], []
+    others = [name for name, gap in gaps.items() if gap <= FITS and name != best]
+    too = f" (so does {' or '.join(others)})" if others else ""
+    note = (
+        f"{table.name} does not say which kite flew it, or was changed since: {best} is a guess, "
+        f"which fits its lines{too}; the option kite says it: a set, or a scenario's file"
+    )
+    return best, kites[best], [note]
 
 
 def line_gap(parameters: Parameters, table: Flight) -> float:

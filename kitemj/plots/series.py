@@ -59,7 +59,7 @@ def tensions_figure(flight: Flight) -> Figure:
         sheet.name_axis(ax, "tension", "N")
     sheet.legend(axes[0])
     sheet.show_limits(axes[0], (0.0, ceiling), ("slack", f"ceiling {ceiling:g} N"))
-    sheet.closer(axes[1], flight)
+    sheet.closer(axes[1], flight, "N")
     return figure
 
 
@@ -74,8 +74,8 @@ def angles_figure(flight: Flight) -> Figure:
         sheet.name_axis(ax, symbol, "deg")
     sheet.show_limits(axes[0], (0.0, stall), ("0", f"α_stall {stall:g}°"))
     sheet.show_limits(axes[2], (-largest, largest), ("−β_max", f"β_max {largest:g}°"))
-    sheet.closer(axes[1], flight)
-    sheet.closer(axes[3], flight)
+    sheet.closer(axes[1], flight, "deg")
+    sheet.closer(axes[3], flight, "deg")
     return figure
 
 
@@ -98,8 +98,6 @@ def steering_figure(flight: Flight) -> Figure:
         sheet.curve(axes[2], flight, column, style)
     sheet.name_axis(axes[2], "length", "m")
     sheet.legend(axes[2])
-    for ax in axes:
-        ax.ticklabel_format(axis="y", useOffset=False)
     return figure
 
 

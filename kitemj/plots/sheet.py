@@ -30,6 +30,11 @@ MOST_OUTSIDE = 1.5
 """How far beyond a limit is shown, parts of what lies between both limits."""
 
 
+LEAST_SPAN = {"N": 0.01, "m": 1e-3, "deg": 0.01, "deg/s": 0.01, "-": 1e-3}
+"""What an axis spans at least, by its unit: less than anybody measures on a kite, and far more than
+the rounding of a flight at rest."""
+
+
 class LineStyle(NamedTuple):
     """The style of a curve: its name in the legend, colour, and matplotlib's kind of line."""
 
@@ -79,8 +84,18 @@ def plain(ax: Axes) -> None:
 
 
 def name_axis(ax: Axes, quantity: str, unit: str) -> None:
-    """Names the vertical axis."""
+    """Names the vertical axis, whose curves are drawn; it spans `LEAST_SPAN` at least."""
     ax.set_ylabel(f"{quantity} [{unit}]", fontsize=TEXT_SIZE)
+    ax.ticklabel_format(axis="y", useOffset=False)
+    _widen(ax, ax.dataLim.y0, ax.dataLim.y1, unit)
+
+
+def _widen(ax: Axes, low: float, high: float, unit: str) -> None:
+    """Sets the limits of an axis where `low` to `high` is less than it must span."""
+    least = LEAST_SPAN.get(unit, 0.0)
+    if 0.0 <= high - low < least:
+        middle = 0.5 * (low + high)
+        ax.set_ylim(middle - 0.5 * least, middle + 0.5 * least)
 
 
 def subtitle(ax: Axes, text: str) -> None:
@@ -116,8 +131,8 @@ def show_limits(ax: Axes, limits: tuple[float, float], labels: tuple[str, str]) 
         ax.annotate(label, place, offset, va=side, fontsize=SMALL, bbox=ON_WHITE, **how)
 
 
-def closer(ax: Axes, flight: Flight) -> None:
-    """Scales a diagram to its curves where they are within all limits, and says so."""
+def closer(ax: Axes, flight: Flight, unit: str) -> None:
+    """Scales a diagram to its curves [unit] where they are within all limits, and says so."""
     within = ~flight.any_beyond[: flight.down]
     curves = [np.asarray(line.get_ydata(), np.float64) for line in ax.get_lines()]
     values = np.concatenate([each[within] for each in curves if len(each) == len(within)])
@@ -125,6 +140,7 @@ def closer(ax: Axes, flight: Flight) -> None:
         low, high = float(np.nanmin(values)), float(np.nanmax(values))
         room = 0.05 * (high - low)
         ax.set_ylim(low - room, high + room)
+        _widen(ax, low, high, unit)
     subtitle(ax, "the same, closer")
 
 

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from math import ceil
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pyarrow as pa
@@ -12,7 +13,8 @@ from kitemj.errors import InputError
 from kitemj.flight.limits import Ending
 from kitemj.flight.scenario import Scenario, read_scenario
 from kitemj.flight.simulate import simulate
-from kitemj.physics.parameter_files import parameter_set
+from kitemj.metadata import about_columns, about_csv
+from kitemj.physics.parameter_files import parameter_set, told_parameters
 from kitemj.plots.flight import Flight, flight_of_recording, flight_of_simulation
 from kitemj.plots.identify_kite import DEFAULT, kite_of_table
 from kitemj.recording.file import read_recording
@@ -69,22 +71,29 @@ def _recorded(path: Path, episode: int) -> Flight:
 
 
 def _tabled(path: Path, episode: int, kite: str) -> Flight:
-    columns = _columns(path)
+    columns, about = _columns(path)
     episodes = _episodes_in(columns)
     chosen, notes = _chosen(path, episodes, episode)
     rows = {name: column[episodes[chosen]] for name, column in columns.items()}
     table = Flight(path.name, parameter_set(DEFAULT), rows)
     if np.any(np.diff(table.t) <= 0.0):
         raise InputError(f"{path} holds no flight: its column t_s must rise from row to row")
-    name, parameters = kite_of_table(table, kite)
-    if not kite:
-        notes.append(f"{path.name} does not say which kite flew it; its lines fit the set {name}")
+    told = about.get("parameters")
+    if kite or not isinstance(told, dict):
+        name, parameters, note = kite_of_table(table, kite)
+        notes += note
+    else:
+        name, parameters = str(about.get("model", "")), told_parameters(told, path.name)
+    name = ", ".join(filter(None, (path.name, Path(name).name)))
     number = f", flight {chosen + 1} of {len(episodes)}" if len(episodes) > 1 else ""
-    return Flight(f"{path.name}, {Path(name).name}{number}", parameters, rows, tuple(notes))
+    return Flight(f"{name}{number}", parameters, rows, tuple(notes))
 
 
-def _columns(path: Path) -> Columns:
-    """Every column by its name, shape (rows,); InputError where the file holds no table."""
+def _columns(path: Path) -> tuple[Columns, dict[str, Any]]:
+    """Every column by its name, shape (rows,), and what is told of the table.
+
+    InputError where the file holds no table.
+    """
     from pyarrow import csv, parquet
 
     read = csv.read_csv if path.suffix.lower() == ".csv" else parquet.read_table
@@ -95,7 +104,11 @@ def _columns(path: Path) -> Columns:
         raise InputError(f"{path} is not a table that can be read: {reason}") from None
     if not table.num_rows:
         raise InputError(f"{path} holds no row")
-    return {name: table[name].to_numpy() for name in table.column_names}
+    names = table.column_names
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise InputError(f"{path} has the column {twice[0]} twice: keep one")
+    about = about_csv(path) if read is csv.read_csv else about_columns(table.schema.metadata)
+    return {name: table[name].to_numpy() for name in names}, about
 
 
 def _episodes_in(columns: Columns) -> list[slice]:

@@ -36,7 +36,7 @@ def window_figure(flight: Flight) -> Figure:
         ways = [(_unbroken(seen[rows]), style) for rows, style in sheet.parts_of_way(flight)]
         drawn = [ax.plot(*way.T, **style._asdict())[0] for way, style in ways]
         ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=sheet.TEXT_SIZE)
-        sheet.name_axis(ax, "elevation", "deg")
+        ax.set_ylabel("elevation [deg]", fontsize=sheet.TEXT_SIZE)
     whole.set(xlim=(-90, 90), ylim=(min(0.0, float(np.nanmin(seen[:, 1]))), 90), aspect="equal")
     whole.set_xticks(range(-90, 91, 30))
     whole.set_yticks(range(0, 91, 30))

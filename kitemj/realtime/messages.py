@@ -93,12 +93,20 @@ class TickNews(NamedTuple):
     memory: float
 
 
+class Alive(NamedTuple):
+    """Nothing happened for a while."""
+
+
 class End(NamedTuple):
-    """The last news: what became of the recording; `error` is what ended the flight."""
+    """The last news: what became of the recording; `error` is what ended the flight.
+
+    `cut`: the disk did not take all that was to be recorded.
+    """
 
     recording: str
     error: str = ""
     bad_input: bool = False
+    cut: bool = False
 
 
-News = Ready | TickNews | End
+News = Ready | TickNews | Alive | End

@@ -4,14 +4,14 @@ Two threads of one Python share one interpreter; while the painting one has it, 
 has put that one aside, a tick cannot begin. Between processes only news and wishes pass.
 """
 
-import queue
 import time
 from contextlib import suppress
 
+from kitemj.child import GRACE, Child
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.live import Command, TickResult
 from kitemj.pilots.crash import Touch
-from kitemj.realtime.launch import Launched, launch
+from kitemj.realtime.launch import launch
 from kitemj.realtime.messages import (
     Begin,
     Deed,
@@ -27,28 +27,36 @@ from kitemj.recording.live import FlightSetup
 
 PATIENCE = 60.0
 """s; to load and, the first time after an installation, to compile."""
+DOUBT = 1.0
+"""s of silence, twice the beat of a process that goes on: nothing is asked of it now."""
+SILENCE = 5.0
+"""s; after so much of it the process is given up."""
 
 
 class FlightProcess:
     """The flight of `setup`; launched at once, so that it loads meanwhile.
 
     `update` brings `result`, `times`, `touch`, `problem` and `memory` up to date (they are as in
-    `TickNews`); `command` is the last that was asked for. What is raised there is raised here:
-    InputError, FlightError.
+    `TickNews`); `command` is the last that was asked for, `recording` what became of that, and
+    `cut` whether the disk did not take all of it. What is raised there is raised here:
+    InputError, FlightError; and so is its silence.
     """
 
-    def __init__(self, setup: FlightSetup, launched: Launched | None = None) -> None:
+    def __init__(self, setup: FlightSetup, launched: Child | None = None) -> None:
         """`launched`: the process to use, if one was launched before."""
         self.model, self.parameters = setup.model, setup.scenario.parameters
         self.times = Timekeeping()
         self.touch: Touch | None = None
         self.problem, self.memory = "", 0.0
         self.result: TickResult
-        self._recording, self._ready, self._ended = "none", False, False
+        self.recording, self.cut = "none", False
+        self._ready, self._ended = False, False
         self.command, self._asked = Command(), dict[type, Wish]()
         self._heard: list[TickNews] = []
         self._t = 0.0  # s of flight that is known of
-        self._process, self._link, self._told = launched or launch()
+        self._silent, self._listened = 0.0, time.monotonic()
+        self._record = setup.record
+        self._child = launched or launch()
         self._send(setup)
 
     def wait(self) -> None:
@@ -65,8 +73,15 @@ class FlightProcess:
 
     def update(self) -> list[TickNews]:
         """All ticks since the last call, the newest of which is now."""
+        now, silent = time.monotonic(), True
         while (news := self._next()) is not None:
             self._hear(news)
+            silent = False
+        # a program that was itself stopped for an hour has not waited for an hour
+        self._silent = self._silent + min(now - self._listened, DOUBT) if silent else 0.0
+        self._listened = now
+        if self._silent > SILENCE:
+            raise FlightError(self.model, self._t, "its process does not answer", [])
         heard, self._heard = self._heard, []
         return heard
 
@@ -74,45 +89,48 @@ class FlightProcess:
         """Has it done before the next tick; what holds already is not sent again."""
         if isinstance(wish, Command):
             self.command = wish
-        if isinstance(wish, Deed) or wish != self._asked.get(type(wish)):
+        if self._silent < DOUBT and (isinstance(wish, Deed) or wish != self._asked.get(type(wish))):
             self._asked[type(wish)] = wish
             self._send(wish)
 
     def stop(self, ending: str) -> str:
         """Ends the flight; returns what became of the recording."""
+        self._child.wake()
         self._send(Stop(ending))
-        until = time.monotonic() + PATIENCE
+        until = time.monotonic() + 2 * GRACE  # longer than a recording waits for its disk
         with suppress(FlightError, InputError):  # the flight is over in any case
             while not self._ended and time.monotonic() < until:
                 self._hear(self._next(timeout=0.1))
-        self._process.join(1.0)
-        self._link.close()
-        return self._recording
+        if not self._ended:
+            self._child.kill()
+            self.recording = f"{self._record} breaks off" if self._record else "none"
+        self._child.close()
+        return self.recording
 
     def _send(self, wish: FlightSetup | Wish) -> None:
         with suppress(OSError):  # it has ended; `update` says why
-            self._link.send(wish)
+            self._child.link.send(wish)
 
     def _next(self, timeout: float = 0.0) -> News | None:
+        if self._ended:
+            return None
         try:
-            news: News = self._told.get(timeout > 0, timeout)
-        except queue.Empty:
-            if self._ended or self._process.is_alive() or not self._told.empty():
-                return None
+            news: News | None = self._child.link.recv() if self._child.link.poll(timeout) else None
+        except (EOFError, OSError):
             why = "its process was ended from outside"
             raise FlightError(self.model, self._t, why, []) from None
         return news
 
     def _hear(self, news: News | None) -> None:
         if isinstance(news, End):
-            self._recording, self._ended = news.recording, True
+            self.recording, self.cut, self._ended = news.recording, news.cut, True
             if news.bad_input:
                 raise InputError(news.error)
             if news.error:
                 raise FlightError(self.model, self._t, news.error, [])
         elif isinstance(news, Ready):
             self._ready, self.result = True, news.result
-        elif news is not None:
+        elif isinstance(news, TickNews):
             self._heard.append(news)
             self._t = news.result.motion.t
             self.result, self.times, self.touch = news.result, news.times, news.touch

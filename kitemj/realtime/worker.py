@@ -1,6 +1,5 @@
 """What runs in the flight's own process."""
 
-import signal
 from collections.abc import Iterator
 from functools import partial
 from multiprocessing.connection import Connection
@@ -8,16 +7,17 @@ from typing import Any
 
 from kitemj.errors import InputError
 from kitemj.realtime.messages import Begin, End, Ready, Stop, Wish
+from kitemj.realtime.outbox import Outbox
 from kitemj.realtime.pacer import Pacer, go_first
 from kitemj.recording.live import FlightSetup
 
 
-def fly(link: Connection, told: Any) -> None:
+def fly(link: Connection) -> None:
     """All that the process does, from the setup on, which comes through `link`."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the painter's, who stops us
     setup = _received(link)
     if not isinstance(setup, FlightSetup):
         return
+    told = Outbox(link)
     try:
         end = _flown(setup, link, told)
     except InputError as error:
@@ -25,11 +25,10 @@ def fly(link: Connection, told: Any) -> None:
     except Exception as error:
         end = End("none", str(error))
     told.put(end)
-    if _alone(link):
-        told.cancel_join_thread()
+    told.close()
 
 
-def _flown(setup: FlightSetup, link: Connection, told: Any) -> End:
+def _flown(setup: FlightSetup, link: Connection, told: Outbox) -> End:
     first = setup._replace(record=None).flight()
     first.warm_up()
     go_first()  # and with it all threads that begin from here on
@@ -41,7 +40,7 @@ def _flown(setup: FlightSetup, link: Connection, told: Any) -> End:
         ending, error = Pacer(flight, partial(_wishes, link), told.put).run(setup.past), ""
     except Exception as reason:  # whoever paints is told
         ending = error = str(getattr(reason, "reason", reason))
-    return End(flight.close(ending), error)
+    return End(flight.close(ending), error, cut=flight.cut)
 
 
 def _wishes(link: Connection) -> Iterator[Wish]:
@@ -56,13 +55,3 @@ def _received(link: Connection) -> Any:
         return link.recv()
     except (EOFError, OSError):  # whoever painted is gone
         return Stop("the program that showed it was ended")
-
-
-def _alone(link: Connection) -> bool:
-    """Whether nobody is left to hear anything."""
-    try:
-        while link.poll():
-            link.recv()
-    except (EOFError, OSError):
-        return True
-    return False

@@ -12,10 +12,14 @@ from kitemj.errors import InputError
 from kitemj.flight.limits import RECORDED, Departure, departure_in
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import rig_of
+from kitemj.recording.checksum import sound_part
 from kitemj.recording.header import Header, from_json
-from kitemj.recording.recorder import ENDING_KEY, HEADER_KEY, SUFFIX
-from kitemj.recording.table import Columns, all_columns, limit_numbers
+from kitemj.recording.recorder import ENDING_KEY, SUFFIX
+from kitemj.recording.schema import HEADER_KEY, checked_columns
+from kitemj.recording.table import Columns, limit_numbers
 from kitemj.tables import Cell, Table, Tabled
+
+Batch = tuple[pa.RecordBatch, dict[bytes, bytes] | None]
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -85,52 +89,65 @@ class Recording(Tabled):
 def read_recording(path: str | Path) -> Recording:
     """The recording in a file; raises InputError with one sentence where it is none."""
     path = Path(path)
-    batches, about = _batches(path)
+    data = _bytes(path)
+    sound = sound_part(data)
+    about, batches = _batches(path, pa.py_buffer(data).slice(0, sound.size))
+    if sound.damaged:
+        raise _damaged(path, sound.size, batches)
     header = from_json(about, path.name)
     if not any(batch.num_rows for batch, _ in batches):
         raise InputError(f"{path} holds no tick: it was cut, or stopped in its first half second")
-    whole = pa.Table.from_batches([batch for batch, _ in batches])
     parameters = header.checked_parameters(path.name)
-    names = all_columns(rig_of(parameters))
-    missing = [name for name in names if name not in whole.column_names]
-    if missing:
-        raise InputError(f"{path} lacks the column {missing[0]}: another version wrote it")
-    columns = {name: whole[name].to_numpy() for name in names}
-    endings = [said[ENDING_KEY].decode() for _, said in batches if said and ENDING_KEY in said]
-    recording = Recording(path, header, parameters, columns, endings[-1] if endings else "")
-    _check_parents(recording)
-    return recording
+    whole = pa.Table.from_batches([batch for batch, _ in batches])
+    columns = checked_columns(whole, header, rig_of(parameters), path.name)
+    endings = [said[ENDING_KEY] for _, said in batches if said and ENDING_KEY in said]
+    ending = endings[-1].decode("utf-8", "replace") if endings else ""
+    return Recording(path, header, parameters, columns, ending)
 
 
-def _check_parents(recording: Recording) -> None:
-    """Raises InputError where an episode goes on from none before it."""
-    for number, episode in enumerate(recording.episodes):
-        parent, tick = (int(recording.columns[key][episode.start]) for key in ("parent", "tick"))
-        if tick > 0 and not 0 <= parent < number:
-            raise InputError(
-                f"{recording.path} is damaged: its flight {number + 1} goes on from flight "
-                f"{parent + 1}, which must be an earlier one"
-            )
+def _damaged(path: Path, size: int, batches: list[Batch]) -> InputError:
+    """What to tell of a file of which the first `size` bytes, the `batches`, are sound."""
+    times = [batch["t_s"] for batch, _ in batches if batch.num_rows]
+    if not times:
+        return InputError(f"{path} is damaged from its beginning on: nothing of it can be trusted")
+    rows = sum(len(column) for column in times)
+    return InputError(
+        f"{path} is damaged after {times[-1][-1].as_py():.2f} s, row {rows}: a checksum is wrong; "
+        f"its first {size} bytes are sound, and a recording, if you copy these to a file of their "
+        f"own (head -c {size})"
+    )
 
 
-def _batches(path: Path) -> tuple[list[tuple[pa.RecordBatch, dict[bytes, bytes] | None]], bytes]:
-    """All whole batches with what each says of itself, and the header."""
+def _bytes(path: Path) -> bytes:
+    """All bytes; a copy, since the file may grow, or be emptied by whoever writes it."""
     if not path.is_file():
-        what = "is a folder" if path.is_dir() else "does not exist"
+        what = (
+            "is a folder" if path.is_dir() else "is no file" if path.exists() else "does not exist"
+        )
         raise InputError(f"{path} {what}: give the name of a recording (*{SUFFIX})")
-    if path.stat().st_size == 0:
-        raise InputError(f"{path} is empty: the program was stopped before it wrote anything")
     try:
-        stream = pa.ipc.open_stream(pa.memory_map(str(path)))
-        about = (stream.schema.metadata or {})[HEADER_KEY]
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"cannot read {path}: {error.strerror}") from None
+    if not data:
+        raise InputError(f"{path} is empty: the program was stopped before it wrote anything")
+    return data
+
+
+def _batches(path: Path, data: pa.Buffer) -> tuple[bytes, list[Batch]]:
+    """The header, and all whole batches with what each says of itself."""
+    batches: list[Batch] = []
+    try:
+        stream = pa.ipc.open_stream(data)
+        about: bytes = (stream.schema.metadata or {})[HEADER_KEY]
     except (pa.ArrowException, OSError, KeyError):
         raise InputError(
-            f"{path} is not a recording of kitemj, or was cut off within its header"
+            f"{path} is not a recording of kitemj, or was cut off or damaged within its header"
         ) from None
-    batches: list[tuple[pa.RecordBatch, dict[bytes, bytes] | None]] = []
     while True:
         try:
             batch, said = stream.read_next_batch_with_custom_metadata()
+            batch.validate(full=True)
         except (StopIteration, pa.ArrowException, OSError):
-            return batches, about
+            return about, batches
         batches.append((batch, said))

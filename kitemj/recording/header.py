@@ -4,21 +4,30 @@ import json
 import platform
 from dataclasses import asdict, dataclass, field, replace
 from datetime import datetime
+from functools import cache
 from importlib.metadata import version
-from typing import Any
+from typing import Annotated, Any, ClassVar
 
-from kitemj.dynamics.formulation import MODELS
+from annotated_types import Gt, Interval, Len, MinLen
+from pydantic import ConfigDict, TypeAdapter, ValidationError
+
+from kitemj.dynamics.formulation import MAX_STEP, MODELS
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK, SteeredFlight
-from kitemj.physics.compiled import cache_folder
+from kitemj.physics.code_folder import formula_hash
 from kitemj.physics.frames import Angles
-from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_set, parameter_tables
+from kitemj.physics.parameter_files import LAWS, NAMED_BY, parameter_tables, told_parameters
 from kitemj.physics.parameters import Parameters
 from kitemj.registry import Registry
 
 FORMAT = 2
 """Rises when an older kitemj could no longer read what is written, or the other way round."""
+
+LEAST_STEP = 1e-6
+"""s; a hundredth of the shortest that anybody flies in time: below it a replay takes for ever."""
+Four = Annotated[list[float], Len(4, 4)]
+"""Numbers of q or of q̇."""
 
 PACKAGES = ("kitemj", "mujoco", "numba", "llvmlite", "numpy", "ruckig")
 """What the bits of a flight may depend on."""
@@ -33,16 +42,18 @@ class Header:
     way through JSON to the last bit.
     """
 
+    __pydantic_config__: ClassVar = ConfigDict(strict=True, allow_inf_nan=False, extra="forbid")
+
     scenario: str
     model: str
     reference: str
-    step: float
-    parameters: dict[str, Any]
-    starts: list[list[list[float]]]
+    step: Annotated[float, Interval(ge=LEAST_STEP, le=MAX_STEP)]
+    parameters: dict[str, dict[str, Any]]
+    starts: Annotated[list[Annotated[list[Four], Len(2, 2)]], MinLen(1)]
     written: str
     versions: dict[str, str]
     seeds: dict[str, int] = field(default_factory=dict)
-    tick: float = TICK
+    tick: Annotated[float, Gt(0.0)] = TICK
     format: int = FORMAT
 
     @property
@@ -55,7 +66,7 @@ class Header:
         for registry, law in self._named():
             if registry is not MODELS:
                 self.check(registry, law, source)
-        return parameter_set("laksa", self.parameters, source)
+        return told_parameters(self.parameters, source)
 
     def check(self, registry: Registry[Any], name: str, source: str) -> None:
         """Raises InputError for a law or a model of this flight that is not known here."""
@@ -98,9 +109,8 @@ def header_of(flight: SteeredFlight) -> Header:
 
 def present_versions() -> dict[str, str]:
     """Versions of what the bits of a flight depend on; `formulas` is a hash of their source."""
-    formulas = cache_folder().name.rpartition("-")[2]
     machine = {"python": platform.python_version(), "machine": platform.machine()}
-    return {name: version(name) for name in PACKAGES} | {"formulas": formulas} | machine
+    return {name: version(name) for name in PACKAGES} | {"formulas": formula_hash()} | machine
 
 
 def to_json(header: Header) -> bytes:
@@ -112,11 +122,13 @@ def from_json(text: bytes, source: str) -> Header:
     """The header of the file called `source`; InputError for one that cannot be read."""
     try:
         tables = json.loads(text)
-        written_in = int(tables["format"])
-    except (ValueError, KeyError, TypeError):
+        written_in = tables["format"]
+        theirs = str(tables["versions"]["kitemj"])
+    except (ValueError, KeyError, TypeError, RecursionError):
         raise InputError(f"{source} has no header that can be read: it is damaged") from None
+    if type(written_in) is not int:
+        raise InputError(f"{source} has a damaged header: format must be a whole number")
     if written_in > FORMAT:
-        theirs = tables.get("versions", {}).get("kitemj", "a later version")
         raise InputError(
             f"{source} has format {written_in} (kitemj {theirs}), this kitemj {version('kitemj')} "
             f"reads up to {FORMAT}: upgrade kitemj"
@@ -127,6 +139,19 @@ def from_json(text: bytes, source: str) -> Header:
             f"{FORMAT}: film or export it with the kitemj that recorded it"
         )
     try:
-        return Header(**tables)
-    except TypeError as error:
-        raise InputError(f"{source} has a damaged header: {error}") from None
+        header: Header = _adapter().validate_json(text)
+    except ValidationError as error:
+        first = error.errors()[0]
+        field = ".".join(str(each) for each in first["loc"])
+        got = "" if first["type"] == "missing" else f", got {first['input']!r:.60}"
+        raise InputError(f"{source} has a damaged header: {field}: {first['msg']}{got}") from None
+    for section in Parameters._fields:
+        named = header.parameters.get(section, {}).get(NAMED_BY.get(section, ""), "")
+        if section not in header.parameters or not isinstance(named, str):
+            raise InputError(f"{source} has a damaged header: it lacks what its {section} is")
+    return header
+
+
+@cache
+def _adapter() -> TypeAdapter[Header]:
+    return TypeAdapter(Header)

@@ -22,12 +22,13 @@ class LiveFlight(SteeredFlight):
     """A flight that is steered tick by tick, and may leave a recording of all that was flown.
 
     A context manager, which closes the recording. `result` is what is known now; `lateness` [s]
-    is that of the last tick.
+    is that of the last tick; `cut`, once it is closed, whether the disk did not take all of it.
     """
 
     _recorder: Recorder | None = None
     _due: float | None = None
     lateness = 0.0
+    cut = False
 
     def __init__(
         self,
@@ -87,7 +88,11 @@ class LiveFlight(SteeredFlight):
     def close(self, ending: str = CLOSED) -> str:
         """Ends the recording and says why; returns a sentence on what the file holds."""
         recorder, self._recorder = self._recorder, None
-        return recorder.close(ending) if recorder else "none"
+        if recorder is None:
+            return "none"
+        told = recorder.close(ending)
+        self.cut = bool(recorder.problem)
+        return told
 
     def __enter__(self) -> Self:
         """The flight itself."""

@@ -11,16 +11,20 @@ import os
 import threading
 import time
 from collections import deque
+from contextlib import suppress
 from pathlib import Path
 
 import pyarrow as pa
 
 from kitemj.errors import InputError
 from kitemj.files import check_new
+from kitemj.locks import locked
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.rig import Rig, rig_of
-from kitemj.recording.header import Header, to_json
-from kitemj.recording.table import LIMITS, PLACE, Tick, all_columns, table
+from kitemj.physics.rig import rig_of
+from kitemj.recording.checksum import ABOUT, sealed
+from kitemj.recording.header import Header
+from kitemj.recording.schema import schema
+from kitemj.recording.table import Tick, table
 
 SUFFIX = ".arrows"
 FLUSH = 0.5
@@ -32,21 +36,15 @@ MAX_WAITING = 60_000
 PATIENCE = 10.0
 """s; longer than this the end of a flight does not wait for the disk."""
 
-HEADER_KEY, ENDING_KEY = b"kitemj", b"ending"
-
-
-def schema(header: Header, rig: Rig) -> pa.Schema:
-    """The columns and, in the metadata, the header as JSON."""
-    kinds = dict.fromkeys(PLACE, pa.int32()) | dict.fromkeys(LIMITS, pa.bool_())
-    fields = [(name, kinds.get(name, pa.float64())) for name in all_columns(rig)]
-    return pa.schema(fields, {HEADER_KEY: to_json(header)})
+ENDING_KEY = b"ending"
 
 
 class Recorder:
     """Writes ticks to a new file `path`; `add` costs a microsecond and never waits.
 
-    Raises InputError where `path` exists or cannot be written. `problem` is what the person
-    should know of the disk at present, `written` counts the ticks in the file.
+    Raises InputError where `path` exists, cannot be written, or another program records into it.
+    `problem` is what the person should know of the disk at present, `written` counts the ticks in
+    the file.
     """
 
     def __init__(
@@ -57,13 +55,10 @@ class Recorder:
         self._parameters, self._schema = parameters, schema(header, rig_of(parameters))
         self._queue: deque[Tick] = deque()
         self._waiting: deque[tuple[int, bytes]] = deque()
-        self._size, self._given_up = 0, False
+        self._size, self._seal, self._given_up = 0, 0, False
         self._sink = io.BytesIO()
         self._stream = pa.ipc.new_stream(self._sink, self._schema)
-        try:
-            self._file = path.open("wb" if overwrite else "xb", buffering=0)
-        except OSError as error:
-            raise InputError(f"cannot write {path}: {error.strerror}; choose another") from None
+        self._file = _opened(path, overwrite)
         # the header at once; and the first batch loads much of pyarrow, which is to happen now
         self._batch({}, always=True)
         self._write()
@@ -106,8 +101,9 @@ class Recorder:
             return
         columns = table(self._parameters, ticks)
         batch = pa.record_batch(list(columns.values()), schema=self._schema)
-        self._stream.write_batch(batch, custom_metadata=about or None)
-        self._waiting.append((len(ticks), self._taken()))
+        self._stream.write_batch(batch, custom_metadata=ABOUT | about)
+        message, self._seal = sealed(self._taken(), self._seal)
+        self._waiting.append((len(ticks), message))
 
     def _taken(self) -> bytes:
         """The bytes that the stream made since."""
@@ -121,6 +117,7 @@ class Recorder:
         while self._waiting:
             count, message = self._waiting[0]
             try:
+                os.lseek(self._file.fileno(), self._size, os.SEEK_SET)
                 _append(self._file.fileno(), message)
             except OSError as error:
                 self._refused(error)
@@ -132,11 +129,8 @@ class Recorder:
             self.problem = ""
 
     def _refused(self, error: OSError) -> None:
-        try:
+        with suppress(OSError):  # else half a batch stays until the next try is written over it
             os.ftruncate(self._file.fileno(), self._size)
-            os.lseek(self._file.fileno(), self._size, os.SEEK_SET)
-        except OSError:
-            pass  # a reader passes over half a batch at the end
         waiting = sum(count for count, _ in self._waiting)
         if waiting > MAX_WAITING:
             self._given_up = True
@@ -144,6 +138,23 @@ class Recorder:
         self.problem = (
             f"not recording ({error.strerror}): {self.path} ends after {self.written} ticks"
         )
+
+
+def _opened(path: Path, overwrite: bool) -> io.FileIO:
+    """The empty file, ours until it is closed; what another program records stays untouched."""
+    new = os.O_CREAT if overwrite else os.O_CREAT | os.O_EXCL
+    file = None
+    try:  # opened so that it is not emptied yet
+        file = io.FileIO(path, "r+", opener=lambda name, flags: os.open(name, flags | new, 0o666))
+        if locked(file):
+            file.truncate(0)
+            return file
+        error = f"another program is recording into {path}: choose another name, or end it"
+    except OSError as refused:
+        error = f"cannot write {path}: {refused.strerror}; choose another"
+    if file:
+        file.close()
+    raise InputError(error)
 
 
 def _append(file: int, message: bytes) -> None:

@@ -13,6 +13,7 @@ Point = dict[str, Any]
 """Dotted names (``wind.speed``, ``model``) and the values that one flight gives them."""
 MOST = 10_000_000
 """Flights in a study; a week of a desktop's cores."""
+LARGEST = float(np.finfo(float).max)
 
 
 class Choices:
@@ -27,6 +28,22 @@ class Choices:
     def point(self, i: int) -> Point:
         """The point `i`, from 0 on."""
         return self.points[i]
+
+
+class Axis:
+    """Points at equal distances of one number, made when they are asked for."""
+
+    def __init__(self, name: str, low: float, high: float, count: int) -> None:
+        self.names, self.numbers, self.count = [name], {name}, count
+        self._low, self._high = low, high
+
+    @cached_property
+    def _values(self) -> Any:
+        return np.linspace(self._low, self._high, self.count)
+
+    def point(self, i: int) -> Point:
+        """The point `i`, from 0 on."""
+        return {self.names[0]: float(self._values[i])}
 
 
 class Hypercube:
@@ -49,13 +66,16 @@ class Hypercube:
         return dict(zip(self.names, self._samples[i].tolist(), strict=True))
 
 
+Factor = Choices | Axis | Hypercube
+
+
 class Design:
     """Every combination of the `factors`; the last one changes the quickest.
 
     `names` of what is varied; `numbers`: those of them that are given numbers only.
     """
 
-    def __init__(self, factors: Sequence[Choices | Hypercube]) -> None:
+    def __init__(self, factors: Sequence[Factor]) -> None:
         self.factors = factors
         self.count = prod(factor.count for factor in factors)
         self.names = [name for factor in factors for name in factor.names]
@@ -75,11 +95,11 @@ def design_of(tables: Mapping[str, Any], source: str) -> Design:
 
     Raises InputError for what is empty, given twice, or not a range.
     """
-    factors: list[Choices | Hypercube] = []
+    factors: list[Factor] = []
     if "list" in tables:
         factors.append(Choices(_list(tables["list"], source)))
     for name, values in _flat(_table(tables, "grid", source)).items():
-        factors.append(Choices([{name: value} for value in _axis(name, values, source)]))
+        factors.append(_axis(name, values, source))
     if "hypercube" in tables:
         factors.append(_hypercube(_table(tables, "hypercube", source), source))
     if not factors:
@@ -121,20 +141,20 @@ def _list(entries: Any, source: str) -> list[Point]:
     return [_flat(each) for each in entries]
 
 
-def _axis(name: str, values: Any, source: str) -> list[Any]:
+def _axis(name: str, values: Any, source: str) -> Choices | Axis:
     if isinstance(values, Mapping):
         if set(values) != {"from", "to", "count"}:
             got = ", ".join(values)
             raise InputError(f"grid.{name} must have from, to and count, got {got} ({source})")
         low, high = _ends((values["from"], values["to"]), f"grid.{name}", source)
         count = _count(values["count"], f"grid.{name}.count", source)
-        return list(map(float, np.linspace(low, high, count)))
+        return Axis(name, low, high, count)
     if not isinstance(values, list):
         known = "a list of values or { from, to, count }"
         raise InputError(f"grid.{name} must be {known}, got {values!r} ({source})")
     if not values:
         raise InputError(f"grid.{name} is empty: give it one value or more ({source})")
-    return values
+    return Choices([{name: value} for value in values])
 
 
 def _hypercube(table: Mapping[str, Any], source: str) -> Hypercube:
@@ -166,4 +186,5 @@ def _ends(value: Any, name: str, source: str) -> tuple[float, float]:
 
 
 def _number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and np.isfinite(value)
+    known = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return known and abs(value) <= LARGEST

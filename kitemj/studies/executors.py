@@ -1,15 +1,17 @@
 """Executors of a study: processes of this machine, or the workers of a Dask cluster."""
 
+import asyncio
 import os
 import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from contextlib import closing, contextmanager
-from multiprocessing import get_context, parent_process
-from threading import Thread
+from multiprocessing import get_context
 from typing import Any
 
+from kitemj.child import end_with_parent
 from kitemj.errors import InputError
+from kitemj.signals import ENDING
 from kitemj.studies.design import Point
 from kitemj.studies.flights import Row, fly_all
 from kitemj.studies.study import Base
@@ -70,15 +72,9 @@ def _processes(workers: int) -> Executor:
 
 def _prepare() -> None:
     """Prepares a worker to end its flights on an interrupt, and itself when its parent dies."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    Thread(target=_end_with_parent, daemon=True).start()
-
-
-def _end_with_parent() -> None:
-    parent = parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)
+    for number in set(ENDING) - {signal.SIGTERM}:  # by which the pool ends it
+        signal.signal(number, signal.SIG_IGN)
+    end_with_parent(0.0)
 
 
 @contextmanager
@@ -101,6 +97,15 @@ def executor_for(seconds: float, processes: int | None) -> Iterator[StudyExecuto
         yield executor
 
 
+async def _reach(address: str) -> None:
+    """Connects once, since a Dask client that cannot begin is half there and cries at the end."""
+    from distributed.comm import connect
+    from distributed.security import Security
+
+    secrets = Security().get_connection_args("client")
+    await (await connect(address, timeout=PATIENCE, **secrets)).close()
+
+
 @contextmanager
 def dask_executor(address: str) -> Iterator[StudyExecutor]:
     """The workers of the Dask scheduler at `address` (``tcp://host:8786``).
@@ -112,8 +117,9 @@ def dask_executor(address: str) -> Iterator[StudyExecutor]:
     except ImportError:
         raise InputError('a cluster needs dask: pip install "kitemj[cluster]"') from None
     try:
+        asyncio.run(_reach(address))
         client = Client(address, timeout=PATIENCE, set_as_default=False)
-    except (OSError, ValueError, TimeoutError) as error:
+    except Exception as error:  # of any kind: TypeError for a scheme that is not set up
         what, hint = f"no Dask scheduler answers at {address}", "start one with: dask scheduler"
         raise InputError(f"{what} ({error}); {hint}") from None
     with client:

@@ -86,8 +86,9 @@ def failed(flight: int, point: Point, reason: str) -> Row:
 
 
 def _inputs(flight: int, point: Point) -> Row:
-    tables = {name: json.dumps(x) for name, x in point.items() if isinstance(x, (dict, list))}
-    return {"flight": flight, **point, **tables}
+    plain = (int, float, str)
+    texts = {k: json.dumps(x, default=str) for k, x in point.items() if not isinstance(x, plain)}
+    return {"flight": flight, **point, **texts}
 
 
 def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:

@@ -14,7 +14,7 @@ from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MODELS
 from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
 from kitemj.physics.checked import checked, unknown_key
-from kitemj.physics.compiled import cache_folder
+from kitemj.physics.code_folder import formula_hash
 from kitemj.physics.parameter_files import LAWS, LINES, NAMED_BY, SECTIONS, field_names, read_toml
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.rig import RIGS, Rig
@@ -106,6 +106,9 @@ def study_of(tables: Mapping[str, Any], source: str, folder: Path) -> Study:
         scenario = read_toml(shipped_or_file(scenario, SCENARIOS, folder))
     if not isinstance(scenario, dict):
         raise InputError(f"scenario must be the name of a file or a table ({source})")
+    for name in ("aero", *SECTIONS, "steering", "start"):
+        if not isinstance(table := scenario.get(name, {}), Mapping):
+            raise InputError(f"{name} must be a table of named values, got {table!r} ({source})")
     settings = {name: tables[name] for name in Settings._fields if name in tables}
     study = Study(
         Base(source, scenario, settings, own_modules()),
@@ -119,7 +122,7 @@ def study_of(tables: Mapping[str, Any], source: str, folder: Path) -> Study:
 
 
 def _digest(*parts: Any) -> str:
-    text = json.dumps([*parts, cache_folder().name], sort_keys=True, default=str)
+    text = json.dumps([*parts, formula_hash()], sort_keys=True, default=str)
     for registry in (*LAWS.values(), MODELS):  # whose a formula is that the study names
         text += "".join(registry.origin(name) for name in registry if f'"{name}"' in text)
     return hashlib.sha256(text.encode()).hexdigest()

@@ -1,6 +1,6 @@
 """Sweeps: the flights of a study in batches on an executor, which may lose workers."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from time import perf_counter
 
@@ -14,6 +14,8 @@ from kitemj.studies.study import Study
 
 Batch = list[tuple[int, Point]]
 
+LONG = 3600.0
+"""s; what a flight is believed to take of which nothing is known: it goes out alone."""
 BATCH_TIME = 0.5
 """s of work given out at once: long beside the giving, short beside a person's patience."""
 MOST = 500
@@ -42,15 +44,34 @@ def tried(journal: Journal, count: int = 3) -> float:
 
     They are rows like all others. The first warms up, and counts only if it is alone.
     """
-    remaining = list(journal.remaining())
-    last = len(remaining) - 1
     costs = []
-    for i in sorted({k * last // max(1, count - 1) for k in range(count)}):
+    for flight in _some(journal, count):
         started = perf_counter()
-        row = fly(journal.study.base, remaining[i], journal.study.design.point(remaining[i]))
+        row = fly(journal.study.base, flight, journal.study.design.point(flight))
         costs.append(perf_counter() - started)
         journal.add([row])
     return sum(costs[1:]) / len(costs[1:]) if len(costs) > 1 else costs[0]
+
+
+def tried_together(journal: Journal, executor: StudyExecutor) -> float:
+    """Flies a few of what remains, all workers at once; the mean time [s] of a flight and worker.
+
+    They are rows like all others. The first for each worker warms it up and is not counted, so
+    that what remains is estimated by what workers in flight get done together.
+    """
+    sweep(journal, executor, LONG, flights=_some(journal, executor.workers))
+    flights = _some(journal, 2 * executor.workers)
+    started = perf_counter()
+    sweep(journal, executor, LONG, flights=flights)
+    return (perf_counter() - started) * executor.workers / max(1, len(flights))
+
+
+def _some(journal: Journal, count: int) -> list[int]:
+    """Up to `count` of the flights that remain, from the first to the last."""
+    remaining = list(journal.remaining())
+    last = len(remaining) - 1
+    places = {k * last // max(1, count - 1) for k in range(count)} if remaining else set()
+    return [remaining[i] for i in sorted(places)]
 
 
 def sweep(
@@ -58,18 +79,20 @@ def sweep(
     executor: StudyExecutor,
     cost: float,
     tell: Callable[[int], None] = lambda done: None,
+    flights: Sequence[int] | None = None,
 ) -> None:
-    """Flies all that remains; `cost` [s] is what a flight is believed to take.
+    """Flies these `flights`, None: all that remain; `cost` [s] is what one is believed to take.
 
     `tell` is called with the number of flights done. On KeyboardInterrupt what is in the air
     is landed and kept. Raises StudyStopped where workers cannot work at all.
     """
-    left = len(journal.done) - journal.count
-    size = max(1, min(MOST, int(BATCH_TIME / max(cost, 1e-6)), left // (16 * executor.workers)))
+    todo = list(journal.remaining()) if flights is None else flights
+    most = len(todo) // (16 * executor.workers)
+    size = max(1, min(MOST, int(BATCH_TIME / max(cost, 1e-6)), most))
     aloft: dict[Future[list[Row]], Batch] = {}
     suspects: Batch = []
     try:
-        for batch in _batches(journal, size):
+        for batch in _batches(journal, todo, size):
             while len(aloft) >= 2 * executor.workers:
                 suspects += _landed(journal, executor, aloft)
                 tell(journal.count)
@@ -92,8 +115,7 @@ def sweep(
         raise
 
 
-def _batches(journal: Journal, size: int) -> Iterator[Batch]:
-    flights = list(journal.remaining())
+def _batches(journal: Journal, flights: Sequence[int], size: int) -> Iterator[Batch]:
     for start in range(0, len(flights), size):
         yield [(i, journal.study.design.point(i)) for i in flights[start : start + size]]
 

@@ -6,6 +6,7 @@ import re
 import resource
 import signal
 import sys
+import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -18,6 +19,10 @@ SECONDS = 60.0
 """How long a run may take before it counts as hung: 100 times what a short flight takes."""
 UNFORESEEN = 70
 """The status of the last resort; the program must never need it."""
+
+
+def _nothing() -> None:
+    pass
 
 
 class Attack(NamedTuple):
@@ -40,10 +45,24 @@ class Run(NamedTuple):
     left: list[int]
 
 
-def run(words: Sequence[str], folder: Path, seconds: float = SECONDS) -> Run:
+class Outside(NamedTuple):
+    """What surrounds a run: the streams' encoding, whether its reader is gone, the terminal."""
+
+    encoding: str = "utf-8"
+    closed: bool = False
+    columns: int = 0
+    """Of a terminal; 0: there is none."""
+    before: Callable[[], object] = _nothing
+    """Done in its process, right before the command."""
+
+
+def run(
+    words: Sequence[str], folder: Path, seconds: float = SECONDS, outside: Outside | None = None
+) -> Run:
     """The program's command line, with `folder` as the current one and for temporary files."""
     out, error = folder.with_name(f"{folder.name}.out"), folder.with_name(f"{folder.name}.error")
-    process = _context().Process(target=_victim, args=(list(words), folder, out, error))
+    given = (list(words), folder, out, error, outside or Outside())
+    process = _context().Process(target=_victim, args=given)
     process.start()
     process.join(seconds)
     hung = process.exitcode is None
@@ -58,6 +77,13 @@ def run(words: Sequence[str], folder: Path, seconds: float = SECONDS) -> Run:
     out.unlink()
     error.unlink()
     return Run(process.exitcode or 0, said, cried, hung, left)
+
+
+def warm() -> None:
+    """Starts the process that all victims are forked from, which may have to compile formulas."""
+    with tempfile.TemporaryDirectory(prefix="attack-") as parent:
+        (folder := Path(parent) / "folder").mkdir()
+        run(["--version"], folder, seconds=10 * SECONDS)
 
 
 def harm_of(run: Run, allowed: Sequence[int] = (0, 1, 2)) -> str:
@@ -102,17 +128,28 @@ def _context() -> multiprocessing.context.ForkServerContext:
     return context
 
 
-def _victim(words: list[str], folder: Path, out: Path, error: Path) -> None:
+def _victim(words: list[str], folder: Path, out: Path, error: Path, outside: Outside) -> None:
     os.setsid()
     for path, stream in ((out, 1), (error, 2)):
         os.dup2(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC), stream)
-    sys.stdout = open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
-    sys.stderr = open(2, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
+    if outside.closed:
+        reader, writer = os.pipe()
+        os.close(reader)
+        os.dup2(writer, 1)
+    sys.stdout = open(1, "w", encoding=outside.encoding, closefd=False)  # noqa: SIM115
+    sys.stderr = open(2, "w", encoding=outside.encoding, closefd=False)  # noqa: SIM115
+    if outside.columns:
+        os.environ |= {"FORCE_COLOR": "1", "COLUMNS": str(outside.columns)}
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     os.environ["TMPDIR"] = str(folder)
     os.chdir(folder)
     from kitemj.cli import main
 
-    status = main(words)
+    outside.before()
+    try:
+        status = main(words)
+    except SystemExit as ended:  # argparse's
+        status = int(ended.code or 0)
     sys.stdout.flush()
+    sys.stderr.flush()
     os._exit(status)

@@ -4,10 +4,9 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from shutil import rmtree
-from tempfile import mkdtemp
 
 from kitemj.errors import InputError
+from kitemj.temporary import temporary_folder
 
 
 def check_folder(path: Path, overwrite: bool) -> None:
@@ -33,8 +32,7 @@ def new_folder(path: Path, overwrite: bool = False) -> Iterator[Path]:
     In a folder that has content, files of the same names are replaced and all others kept.
     """
     check_folder(path, overwrite)
-    part = Path(mkdtemp(prefix=f".{path.name}-", dir=path.absolute().parent))
-    try:
+    with temporary_folder(f".{path.name}-", path.absolute().parent) as part:
         yield part
         check_folder(path, overwrite)  # much may have happened meanwhile
         if path.is_dir() and any(path.iterdir()):
@@ -44,8 +42,6 @@ def new_folder(path: Path, overwrite: bool = False) -> Iterator[Path]:
             if path.is_dir():
                 path.rmdir()
             part.replace(path)
-    finally:
-        rmtree(part, ignore_errors=True)
 
 
 def _replace(part: Path, path: Path) -> None:

@@ -12,11 +12,11 @@ from datetime import datetime
 from importlib.metadata import version
 from pathlib import Path
 from shutil import copyfile
-from tempfile import TemporaryDirectory
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from kitemj.tables import write
+from kitemj.temporary import temporary_folder
 from thesis import (
     answers,
     coordinate_frames,
@@ -64,12 +64,12 @@ def write_report(
     for a folder with content (unless `overwrite`), and whatever makes a section fail; nothing
     is written then.
     """
-    with new_folder(folder, overwrite) as part, TemporaryDirectory() as scratch:
+    with new_folder(folder, overwrite) as part, temporary_folder() as scratch:
         sections = []
         for done, module in enumerate(modules):
             name = module.__name__.rsplit(".", 1)[-1]
             progress(name.replace("_", " "), done)
-            own = Path(scratch) / name
+            own = scratch / name
             own.mkdir()
             sections.append(module.section(own))
         _check_sections(sections)

@@ -8,7 +8,17 @@ from attack import KINDS, chosen_attacks, harms_of
 from attacks.victim import Run, harm_of, left_over
 
 SEED = 13
-SHARE = {"fields": 0.1}
+SHARE = {
+    "fields": 0.01,
+    "tables": 0.03,
+    "arguments": 0.01,
+    "recordings": 0.01,
+    "files": 0.03,
+    "disks": 0.02,
+    "journals": 0.08,
+    "sticks": 0.005,
+    "kills": 0.02,
+}
 """Of each kind, what some ten seconds allow."""
 
 

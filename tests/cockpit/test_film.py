@@ -1,7 +1,10 @@
 """The film file: complete or not there, readable, refused with a sentence."""
 
+import os
+import signal
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import av
 import numpy as np
@@ -10,6 +13,7 @@ from numpy.typing import NDArray
 
 from kitemj.cockpit.film import Film
 from kitemj.errors import InputError
+from kitemj.signals import orderly
 
 WIDTH, HEIGHT = 64, 48
 
@@ -73,6 +77,37 @@ def test_ctrl_c_leaves_a_film_complete_up_to_then(tmp_path: Path) -> None:
     assert len(frames_of(path)) == 7
 
 
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
+def test_a_signal_in_the_middle_of_a_frame_does_not_cut_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    film = Film(tmp_path / "kite.mp4", WIDTH, HEIGHT)
+
+    class Interrupted:
+        """A stream during whose work a signal comes."""
+
+        def __init__(self, stream: Any) -> None:
+            self.stream = stream
+
+        def encode(self, picture: Any) -> Any:
+            packets = self.stream.encode(picture)
+            if film.frames == 60:  # the encoder holds back as many as 50
+                os.kill(os.getpid(), signal.SIGTERM)
+            return packets
+
+    @orderly
+    def filming(words: object) -> int:
+        with film:
+            for _ in range(100):
+                film.add(frame(99))
+        return 0
+
+    monkeypatch.setattr(film, "_stream", Interrupted(film._stream))
+    assert filming() == 128 + signal.SIGTERM
+    assert film.frames == 61
+    assert len(frames_of(film.path)) == 61
+
+
 def test_without_a_frame_there_is_no_file(tmp_path: Path) -> None:
     with Film(tmp_path / "kite.mp4", WIDTH, HEIGHT):
         pass
@@ -102,10 +137,10 @@ def test_a_place_that_cannot_be_written_is_a_sentence(tmp_path: Path) -> None:
 def test_a_folder_without_permission_is_a_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refused(self: Path, *arguments: object, **options: object) -> None:
+    def refused(*arguments: object, **options: object) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(Path, "touch", refused)  # root may write everywhere
+    monkeypatch.setattr(os, "open", refused)  # root may write everywhere
     with pytest.raises(InputError, match=r"Permission denied; choose another"):
         Film(tmp_path / "kite.mp4", WIDTH, HEIGHT)
 

@@ -4,8 +4,8 @@ import av
 import pygame
 import pytest
 
-from kitemj.cockpit.fly import fly
-from kitemj.cockpit.screens import FilmScreen, Window, display_found
+from kitemj.cockpit.fly import _grant, fly
+from kitemj.cockpit.screens import AROUND, FilmScreen, Window, display_found, fitting
 from kitemj.controls.programmed import ProgrammedStick, Row, show
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
@@ -13,6 +13,7 @@ from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.dynamics.motion import attachment_E
 from kitemj.flight.scenario import scenario_of
+from kitemj.realtime.messages import Rate
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
 from kitemj.recording.live import FlightSetup
@@ -141,6 +142,38 @@ def test_full_screen_and_back_while_flying(window, picture):
     summary = fly(Flown(), picture, Script(window, doings), duration=1.3)
     assert sizes[1] == SIZE
     assert summary.flown + summary.times.lost > 1.2
+
+
+class Asked:
+    """A flight that only remembers what it was asked for."""
+
+    parameters = SCENARIO.parameters
+
+    def __init__(self):
+        self.wishes = []
+
+    def ask(self, wish):
+        self.wishes.append(wish)
+
+
+def test_f1_holds_the_flight(window, picture):
+    physics = Asked()
+    for expected in (0.0, 1.0):
+        press(pygame.K_F1)
+        window.poll()
+        _grant(window.wishes, physics, picture, None)
+        assert [wish for wish in physics.wishes if isinstance(wish, Rate)][-1] == Rate(expected)
+
+
+@pytest.mark.parametrize("desktop", [(1280, 720), (1366, 768), (1024, 768), (1920, 1080)])
+def test_a_picture_and_what_is_around_it_fit_the_desktop(monkeypatch, desktop):
+    monkeypatch.setattr(pygame.display, "get_desktop_sizes", lambda: [desktop])
+    for below in (0, 72):
+        wide, tall = fitting((1280, 720), below)
+        assert wide <= desktop[0]
+        assert tall + below + AROUND <= desktop[1]
+        assert wide / tall == pytest.approx(16 / 9, rel=0.01)
+    assert (fitting((1280, 720)) == (1280, 720)) == (desktop == (1920, 1080))
 
 
 def test_closed_by_the_window_manager_is_leaving(window, picture, tmp_path):

@@ -3,8 +3,17 @@
 import pygame
 import pytest
 
-from kitemj.controls.actions import HELP, INSTRUMENTS, NAMES, RATES, VIEWS, Wishes
-from kitemj.controls.keys import KEYS, TOGGLES
+from kitemj.controls.actions import (
+    HELP,
+    INSTRUMENTS,
+    NAMES,
+    RATES,
+    REPLAY_ACTIONS,
+    REPLAY_HELP,
+    VIEWS,
+    Wishes,
+)
+from kitemj.controls.keys import KEYS, REPLAY_KEYS, TOGGLES
 from kitemj.controls.pads import STANDARD
 
 STEERING = {pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN}
@@ -78,3 +87,24 @@ def test_deeds_are_taken_once_in_their_order():
 def test_an_unknown_action_is_an_error():
     with pytest.raises(KeyError):
         Wishes().ask(["fly to the moon"])
+
+
+def test_the_flight_waits_under_the_help_page_and_goes_on_as_before():
+    wishes = Wishes()
+    wishes.ask(["slower", "help"])
+    assert wishes.pace == 0.0
+    wishes.ask(["help"])
+    assert wishes.pace == 0.5
+    wishes.ask(["pause", "help", "help"])
+    assert wishes.pace == 0.0, "paused by hand"
+    wishes.ask(["pause"])
+    assert wishes.pace == 0.5
+
+
+def test_every_action_of_a_replay_has_a_key_and_stands_on_its_page():
+    names = {action.name for action in REPLAY_ACTIONS}
+    assert set(REPLAY_KEYS.values()) == names
+    page = " ".join(REPLAY_HELP).lower()
+    for name in names:
+        keys = [key for key, asked in REPLAY_KEYS.items() if asked == name]
+        assert any(pygame.key.name(key)[:3] in page for key in keys), name

@@ -262,6 +262,19 @@ def test_the_stick_that_ships_flies_its_loop():
     assert stick.actions(12.0) == ("view",)
 
 
+def test_barely_pushed_the_other_way_the_lines_go_there(tmp_path):
+    """At 0.16 s δ̇ is 10 µrad/s: to the limit on that side it would be three hours."""
+    rows = "t,steer,law\n0.00,-0.16,acceleration\n0.10,0.27,acceleration\n"
+    laksa = parameter_set("laksa")  # its stick is mirrored
+    stick = read_programmed_stick(table(tmp_path, rows), laksa)
+    flight = SteeredFlight(scenario_of({"set": "laksa", "duration": 60.0}, "test"))
+    for _ in range(30):
+        flight.tick(stick.command(flight.result.motion))
+    most = laksa.stick.delta_ddot
+    asked = 0.16 * most * 0.1 - 0.27 * most * 0.2  # rad/s
+    assert flight.result.motion.control.delta_dot == pytest.approx(asked, abs=ROUNDING)
+
+
 def test_a_table_that_is_not_there(tmp_path):
     with pytest.raises(InputError, match=r"cannot read .*none\.csv: there is no such file"):
         read_programmed_stick(tmp_path / "none.csv", SPORT)

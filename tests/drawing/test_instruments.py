@@ -1,7 +1,7 @@
 """Instruments: each shows what it is given, where it is, and nothing when it is hidden."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, degrees, pi, radians, sin
 
 import numpy as np
@@ -27,6 +27,7 @@ from kitemj.flight.live import TICK
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
+from kitemj.pilots.crash import Touch
 from tests.drawing.test_picture import EQUILIBRIUM, LAKSA, motion_at
 from tests.support import pulling
 
@@ -395,3 +396,29 @@ def test_without_a_clock_there_is_no_chart(painted: Painted) -> None:
     history.add(0.0, CALM)
     image = painted.paint(CALM, Readings(traces=history.traces(0.0)))
     assert (image[painted.box("chart")] == 128).all()
+
+
+@pytest.mark.parametrize("back_to", [0.0, 3.0])
+def test_a_fresh_flight_has_no_alarm_of_the_last(back_to: float) -> None:
+    history = History(LAKSA)
+    history.add(10.0, CRASHED._replace(t=5.0))
+    history.add(10.1, CALM._replace(t=back_to))
+    assert history.traces(14.0).alarm is None
+    history.add(10.2, STALLED._replace(t=back_to + 0.1))
+    history.add(10.3, CALM._replace(t=back_to + 0.2))
+    alarm = history.traces(10.3).alarm
+    assert alarm is not None
+    assert alarm.departure.limit is STALL
+
+
+def test_a_kite_that_was_landed_alarms_nobody(painted: Painted) -> None:
+    """The traces still have the alarm of the touch, as in flight."""
+    history = History(LAKSA)
+    history.add(0.0, CRASHED)
+    soft = Touch(9.0, "left tip", 1.2, 1.1, 1.2, 25.0, 0.2, 1.4)
+    for touch, loud in ((soft, False), (replace(soft, speed=20.0), True)):
+        for motion in (CRASHED, CALM):
+            readings = Readings(touch=touch, traces=history.traces(0.1))
+            image = painted.paint(motion, readings)[painted.box("flight")]
+            seen = share(image, ALARM) > 0.3 or share(image, CALL) > 0.01
+            assert seen == loud

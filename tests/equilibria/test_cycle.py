@@ -181,6 +181,8 @@ def test_figures_are_drawn_and_saved(case: tuple[Parameters, Cycle], tmp_path: P
         "trim.pdf": plots.trim_figure(equilibria(parameters)),
         "map.png": plots.map_figure(area),
     }
+    of_one_unit = figures["cycle.png"].axes[0], figures["modes.svg"].axes[1]
+    assert [ax.get_aspect() for ax in of_one_unit] == [1.0, 1.0]
     for name, figure in figures.items():
         save_figures({name: figure}, tmp_path / name)
         assert (tmp_path / name).stat().st_size > 5000

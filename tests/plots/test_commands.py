@@ -3,14 +3,16 @@
 import csv
 import json
 import re
+from xml.etree import ElementTree
 
 import matplotlib
+import numpy as np
 import pytest
 from matplotlib import pyplot
 
 from kitemj.cli import main
 from kitemj.flight.motion_table import write_csv
-from kitemj.plots.figure_output import show
+from kitemj.plots.figure_output import save_figures, show
 from kitemj.plots.figures import FIGURES
 from tests.plots.flights import TOML, simulation
 
@@ -29,8 +31,31 @@ def listed(folder):
 def test_pictures_are_called_by_their_figures(scenario, tmp_path, capsys):
     assert main(["plot", scenario, "--what", "state,window", "--save", "a.png"]) == 0
     assert main(["plot", scenario, "--what", "path", "--save", "path.svg"]) == 0
-    assert listed(tmp_path) == ["a-state.png", "a-window.png", "eight.toml", "path.svg"]
-    assert capsys.readouterr().out == "a-state.png\na-window.png\npath.svg\n"
+    alone = ["a-state.png", "a-window.png"]
+    assert listed(tmp_path) == [*alone, "a.png", "eight.toml", "path.svg"]
+    told = "a.png: state, window\na-state.png: state\na-window.png: window\npath.svg: path\n"
+    assert capsys.readouterr().out == told
+
+
+def test_the_named_picture_shows_every_figure(tmp_path):
+    """Each has a colour of its own, and is as large as alone: 2 x 1 and 1 x 2 inches."""
+    figures = {}
+    for colour, size in (("red", (2, 1)), ("blue", (1, 2)), ("lime", (2, 1))):
+        figures[colour] = matplotlib.figure.Figure(figsize=size, facecolor=colour)
+        figures[colour].text(0.5, 0.5, colour)
+    save_figures(figures, tmp_path / "all.png")
+    sheet = pyplot.imread(tmp_path / "all.png")
+    for row in np.eye(3):
+        assert (sheet[:, :, :3] == row).all(axis=2).sum() == pytest.approx(2 * 100**2, rel=0.1)
+    save_figures(figures, tmp_path / "all.svg")
+    drawing = ElementTree.parse(tmp_path / "all.svg").getroot()
+    names = [each.get("id") for each in drawing.iter() if each.get("id")]
+    assert len(names) == len(set(names))
+    text = (tmp_path / "all.svg").read_text()
+    used = re.findall(r'href="#([^"]+)"|url\(#([^)]+)\)', text)
+    assert {a or b for a, b in used} <= set(names)
+    for colour in ("#ff0000", "#0000ff", "#00ff00"):
+        assert colour in text
 
 
 def test_a_pdf_has_a_page_for_each(scenario, tmp_path):
@@ -41,13 +66,13 @@ def test_a_pdf_has_a_page_for_each(scenario, tmp_path):
 
 
 def test_all_leaves_out_what_the_table_lacks(scenario, tmp_path, capsys):
-    write_csv(tmp_path / "flight.csv", simulation().motions)
+    write_csv(tmp_path / "flight.csv", simulation())
     assert main(["plot", "flight.csv", "--save", "a.pdf"]) == 0
-    assert "without rates: flight.csv, sport lacks the column R_BE_xx" in capsys.readouterr().out
+    assert "without rates: flight.csv, lagrange lacks the column R_BE_xx" in capsys.readouterr().out
     assert main(["plot", "flight.csv", "--what", "rates", "--save", "b.pdf"]) == 2
     told = capsys.readouterr().err
     assert "a recording, its exported table and a scenario have it" in told
-    assert listed(tmp_path) == ["a.pdf", "eight.toml", "flight.csv"]
+    assert listed(tmp_path) == ["a.pdf", "eight.toml", "flight.csv", "flight.csv-metadata.json"]
 
 
 BAD = {
@@ -105,7 +130,8 @@ def test_limits_prints_and_writes_its_table(scenario, tmp_path, capsys):
     words = ["limits", scenario, "--output", "x.csv", "--save", "x.pdf"]
     assert main(words) == 0
     told = capsys.readouterr().out
-    assert "T₊/T_max" in told
+    assert "T₊, left" in told
+    assert "at rest in a wind of" in told
     assert "within all limits of validity throughout" in told
     assert "never" in told
     with (tmp_path / "x.csv").open(encoding="utf-8") as file:

@@ -163,3 +163,28 @@ def test_the_ground_does_not_set_the_scale(flight):
         replace(flight, columns={**flight.columns, "theta_rad": wild, "ground": ground})
     )
     assert max(figure.axes[3].get_ylim()) < 360.0
+
+
+NOISE = 1e-11
+"""Of a flight at rest, in the unit of each column."""
+
+
+@pytest.mark.parametrize("name", ["state", "tensions", "angles", "steering", "limits"])
+def test_rounding_of_a_flight_at_rest_is_a_flat_line(name):
+    turns = {angle: [0.3] * 50 for angle in ("phi_rad", "gamma_rad", "eta_rad", "theta_rad")}
+    lengths = {"length_plus_m": [200.0] * 50, "length_minus_m": [200.0] * 50}
+    flight, rng = by_hand(50, **turns, **lengths), np.random.default_rng(5)
+    noisy = {
+        column: values + NOISE * rng.standard_normal(len(values))
+        for column, values in flight.columns.items()
+        if column != "t_s" and values.dtype.kind == "f"
+    }
+    flight = replace(flight, columns=flight.columns | noisy)
+    figure = limits_figure(flight) if name == "limits" else flight.plot(name)
+    for ax in figure.axes:
+        bottom, top = ax.get_ylim()
+        heights = [np.ptp(line.get_ydata()) for line in ax.get_lines()]
+        assert max(heights) < 1e-3 * (top - bottom)
+        marks = {label.get_text() for label in ax.get_yticklabels()}
+        assert ax.yaxis.get_major_formatter().get_offset() == ""
+        assert len(marks) > 1

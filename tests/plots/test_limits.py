@@ -8,7 +8,8 @@ import pytest
 
 from kitemj.errors import InputError
 from kitemj.flight.limits import OVERLOAD, SIDESLIP, SLACK, STALL, Departure
-from kitemj.plots.limits import extremes, limit_ratios, limits_figure
+from kitemj.physics.parameter_files import parameter_set
+from kitemj.plots.limits import beside_rest, extremes, headroom, limit_ratios, limits_figure
 from tests.plots.flights import by_hand
 
 ROUNDING = 1e-12
@@ -63,7 +64,7 @@ def test_extremes_and_departure_tell_the_same_first_moment():
 
 def test_figure_draws_the_ratios_and_shades_what_is_outside():
     flight = by_hand(beta_deg=[0.0, 15.0, 18.0, 0.0, 0.0])
-    (ax,) = limits_figure(flight).axes
+    ax, closer = limits_figure(flight).axes
     drawn = [line.get_ydata() for line in ax.get_lines()]
     ratios = limit_ratios(flight)
     for ratio in ratios.values():
@@ -72,6 +73,9 @@ def test_figure_draws_the_ratios_and_shades_what_is_outside():
     assert grey.get_paths()[0].get_extents().intervalx.tolist() == [1.0, 3.0]
     bottom, top = ax.get_ylim()
     assert bottom < 0.0 < 1.2 < top
+    bottom, top = closer.get_ylim()
+    pulls = np.concatenate([flight["tension_plus_N"], flight["tension_minus_N"]])
+    assert top - bottom < 1.5 * max(np.ptp(pulls), 10.0), "N, of a few"
 
 
 def test_missing_column_is_named():
@@ -81,3 +85,28 @@ def test_missing_column_is_named():
         extremes(replace(flight, columns=columns))
     with pytest.raises(InputError, match="no number in the column beta_deg, row 3"):
         extremes(by_hand(beta_deg=[0.0, 0.0, np.nan, 0.0, 0.0]))
+
+
+def test_the_table_tells_newtons_and_degrees_and_what_is_left():
+    """Of limits of 600 N, 25° and 15°, by hand."""
+    flight = by_hand(
+        3,
+        tension_plus_N=[5.0, 8.0, 60.0],
+        tension_minus_N=[4.0, 9.0, 8.0],
+        alpha_deg=[5.0, 10.0, 5.0],
+        beta_deg=[0.0, -3.0, 18.0],
+    )
+    left, right, alpha, beta = headroom(flight).rows
+    assert left[1:6] == ("5 N at 0 s", "60 N at 2 s", "600 N", "10 %", "540 N")
+    assert right[4:] == ("1.5 %", "591 N", "never")
+    assert alpha[1:6] == ("5° at 0 s", "10° at 1 s", "25°", "40 %", "15°")
+    assert beta[4:] == ("120 %", "-3°", f"from 2 s: {SIDESLIP.sentence}")
+
+
+def test_the_hardest_pull_stands_beside_the_pull_at_rest():
+    """The sport kite at rest pulls 5.0 N a line, as its file says."""
+    flight = replace(by_hand(1, tension_plus_N=[75.2]), parameters=parameter_set("sport"))
+    assert "each line pulls 5.01 N" in beside_rest(flight)
+    assert "75.2 N, is 15 times that" in beside_rest(flight)
+    calm = parameter_set("sport", {"wind": {"speed": 1.0}})
+    assert beside_rest(replace(flight, parameters=calm)) == ""

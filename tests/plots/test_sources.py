@@ -1,5 +1,6 @@
 """The same flight out of every kind of file; what holds none is refused in a sentence."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +9,10 @@ import pytest
 from pyarrow import parquet
 
 from kitemj.errors import InputError
-from kitemj.flight.motion_table import write_csv
+from kitemj.flight.motion_table import COLUMNS, write_csv
+from kitemj.flight.scenario import scenario_of
+from kitemj.flight.simulate import simulate
+from kitemj.metadata import about_csv, metadata_file
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.plots.sources import ROWS, read_flight
 from kitemj.recording.export import write_table
@@ -51,9 +55,9 @@ def test_a_recording_and_its_table_are_the_same_flight(recording, tmp_path):
     for name in ("t_s", "theta_rad", "omega_x_B_rad_s", "tension_minus_N", "ground"):
         assert np.array_equal(flight.columns[name], kept.columns[name])
         assert np.array_equal(again.columns[name], kept.columns[name])
-    assert flight.parameters == kept.parameters == parameter_set("sport")
+    assert again.parameters == flight.parameters == kept.parameters == parameter_set("sport")
     assert not flight.notes
-    assert again.notes == ("x.csv does not say which kite flew it; its lines fit the set sport",)
+    assert not again.notes
     assert again.parameters.limits == flight.parameters.limits
 
 
@@ -72,12 +76,66 @@ def test_the_longest_flight_unless_one_is_asked_for(tmp_path):
             read_flight(file, episode=3)
 
 
-def test_a_table_of_simulate_finds_its_kite(tmp_path):
+def test_a_table_says_itself_which_kite_flew_it(tmp_path):
+    """Also one of no set, whose lines would fit some other."""
+    tables = {"set": "sport", "duration": 0.5, "kite": {"mass": 0.3}, "wind": {"speed": 6.0}}
+    flight = simulate(scenario_of(tables, "mine.toml"), "lagrange")
     path = tmp_path / "flight.csv"
-    write_csv(path, simulation().motions)
-    assert read_flight(path).parameters == parameter_set("sport")
+    write_csv(path, flight)
+    again = read_flight(path)
+    assert again.parameters == flight.scenario.parameters
+    assert again.name == "flight.csv, lagrange"
+    assert not again.notes
+    assert about_csv(path)["scenario"] == "mine.toml"
+    header, *rows = path.read_text().splitlines()
+    assert header.split(",") == list(COLUMNS)  # every program reads it as it is
+    assert len(rows) == len(flight.motions)
+    path.write_text("\n".join([header, *rows[:-1]]))  # it is another table now
+    assert "which kite flew it, or was changed since" in read_flight(path).notes[0]
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"[]", b"{}", b'{"notes": []}', b'{"notes": [[]]}', b"\xff"]
+)
+def test_a_table_of_which_nothing_is_told_is_a_guess_and_says_so(tmp_path, content):
+    path = tmp_path / "flight.csv"
+    write_csv(path, simulation())
+    metadata_file(path).write_bytes(content)
+    flight = read_flight(path)
+    assert flight.parameters == parameter_set("sport")
+    [note] = flight.notes
+    assert "sport is a guess, which fits its lines; the option kite says it: a set, or" in note
+    assert not read_flight(path, kite="sport").notes
     with pytest.raises(InputError, match=r"was not flown by laksa: its lines end .* m from where"):
         read_flight(path, kite="laksa")
+
+
+def test_a_guess_names_the_sets_that_fit_as_well(tmp_path):
+    path = tmp_path / "flight.csv"
+    write_csv(path, simulate(scenario_of({"set": "thesis", "duration": 0.1}, "test"), "lagrange"))
+    assert read_flight(path).parameters == parameter_set("thesis")
+    metadata_file(path).unlink()
+    assert "laksa is a guess, which fits its lines (so does thesis)" in read_flight(path).notes[0]
+
+
+def test_what_is_told_of_a_table_is_complete_or_refused(tmp_path):
+    path = tmp_path / "flight.csv"
+    write_csv(path, simulation())
+    told = json.loads(metadata_file(path).read_text())
+    del told["notes"][0]["kitemj"]["parameters"]["kite"]["mass"]
+    metadata_file(path).write_text(json.dumps(told))
+    with pytest.raises(InputError, match=r"flight.csv does not say kite.mass: it is damaged"):
+        read_flight(path)
+
+
+def test_nothing_told_of_a_table_is_written_over_unasked(tmp_path):
+    path = tmp_path / "flight.csv"
+    metadata_file(path).write_text("mine")
+    with pytest.raises(InputError, match=r"flight\.csv-metadata\.json exists"):
+        write_csv(path, simulation())
+    assert [file.name for file in tmp_path.iterdir()] == ["flight.csv-metadata.json"]
+    write_csv(path, simulation(), overwrite=True)
+    assert not read_flight(path).notes
 
 
 def test_a_kite_of_no_set_must_be_named(tmp_path):

@@ -91,9 +91,30 @@ def test_recording_is_that_of_the_flight(tmp_path):
 
 def test_a_flight_that_ends_from_outside_is_a_sentence(flying):
     until(lambda news: len(news) > 5, flying)
-    flying._process.kill()
+    flying._child.kill()
     with pytest.raises(FlightError, match="its process was ended from outside"):
         until(lambda news: False, flying)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows stops no process")
+def test_a_flight_that_was_stopped_is_a_sentence_and_its_recording_is_whole(tmp_path, monkeypatch):
+    monkeypatch.setattr("kitemj.realtime.process.SILENCE", 1.5)
+    physics = FlightProcess(setup(tmp_path / "x.arrows"))
+    physics.wait()
+    physics.start()
+    until(lambda news: len(news) > 20, physics)
+    os.kill(physics._child.pid, signal.SIGSTOP)
+    with pytest.raises(FlightError, match="its process does not answer"):
+        until(lambda news: False, physics)
+    assert f"{tmp_path / 'x.arrows'}, " in physics.stop("it did not answer")
+    assert read_recording(tmp_path / "x.arrows").ending == "it did not answer"
+
+
+def test_a_pause_is_not_silence(flying, monkeypatch):
+    monkeypatch.setattr("kitemj.realtime.process.SILENCE", 1.5)
+    flying.ask(Rate(0.0))
+    begun = time.monotonic()
+    until(lambda news: time.monotonic() > begun + 3.0, flying)
 
 
 def test_what_cannot_be_flown_is_the_same_sentence_as_in_one_process():
@@ -111,7 +132,7 @@ if __name__ == "__main__":
     physics.wait()
     physics.start()
     until(lambda news: len(news) > 100, physics)
-    print(physics._process.pid, flush=True)
+    print(physics._child.pid, flush=True)
     time.sleep(60)
 """
 

@@ -10,6 +10,7 @@ from kitemj.realtime.pacer import Pacer
 from kitemj.recording.live import LiveFlight
 
 TABLES = {"set": "thesis", "duration": 60.0}
+SPORT = {"set": "sport", "duration": 60.0}
 LOOPS = {
     "set": "laksa",
     "duration": 1.0,

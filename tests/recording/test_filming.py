@@ -1,27 +1,34 @@
 """Films and windows of recordings: what they show, and what they refuse."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import av
 import numpy as np
 import pygame
 import pytest
 
+import kitemj
 from kitemj.cli import main
+from kitemj.cockpit import film_sources, filming
 from kitemj.cockpit.film_sources import RecordingSource
 from kitemj.cockpit.filming import FilmStyle, film
 from kitemj.cockpit.parallel_painting import Stage, painted
 from kitemj.cockpit.replay_player import SPEEDS, Player
+from kitemj.cockpit.replay_slider import HINT, hints
 from kitemj.cockpit.replay_window import ReplayWindow
 from kitemj.cockpit.screens import display_found
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.recorded_traces import RecordedTraces
-from kitemj.flight.limits import SLACK, TWIST
+from kitemj.drawing.text import width
+from kitemj.flight.limits import SLACK, TWIST, touches_ground
+from kitemj.pilots.manoeuvres import Land
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
-from tests.recording.flights import LOOPS, recorded, restless
+from tests.recording.flights import LOOPS, live_flight, recorded, restless
 
 SMALL = (320, 180)
 SIZE = f"{SMALL[0]}x{SMALL[1]}"
@@ -40,6 +47,37 @@ def file(tmp_path_factory):
 def frames_of(path):
     with av.open(str(path)) as container:
         return [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
+
+
+class Reel(list):
+    """Takes the place of painter and film: keeps the shots, writes nothing."""
+
+    def take(self, stage, shots, workers):
+        self.extend(shot.motion for (shot,) in shots)
+        return (frame for frame in ())
+
+    def __call__(self, *words):
+        return nullcontext(SimpleNamespace(frames=len(self)))
+
+
+@pytest.mark.parametrize("by", ["call", "command"])
+def test_a_film_shows_the_rows_that_were_simulated_for_it(by, monkeypatch, tmp_path):
+    """Twice as fast at 20 frames/s is a frame for each 0.1 s of the flight, and a row for each."""
+    reel, rows = Reel(), []
+    monkeypatch.setattr(filming, "painted", reel.take)
+    monkeypatch.setattr(filming, "Film", reel)
+    simulated = film_sources.flight_of_simulation
+    note = lambda flown: rows.extend(flown.motions) or simulated(flown)  # noqa: E731
+    monkeypatch.setattr(film_sources, "flight_of_simulation", note)
+    tables, path = {"set": "sport", "duration": 0.5}, tmp_path / "a.mp4"
+    if by == "call":
+        kitemj.film(tables, path, model="lagrange", rate=20, speed=2.0)
+    else:
+        (tmp_path / "a.toml").write_text('set = "sport"\nduration = 0.5\n', encoding="utf-8")
+        words = ["--rate", "20", "--speed", "2", "--output", str(path), "--model", "lagrange"]
+        assert main(["film", str(tmp_path / "a.toml"), *words]) == 0
+    assert [motion.t for motion in reel] == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4, 0.5])
+    assert reel == rows, "no motion between two rows"
 
 
 def test_a_film_has_the_frames_that_its_words_ask_for(file, tmp_path):
@@ -247,3 +285,44 @@ def test_the_reference_of_another_model_is_there_until_a_line_is_slack(file):
     late = source.shot((slack[0] + 1) * 0.01, 1.0)
     assert late.reference is None
     assert late.readings.gap is None
+
+
+def test_the_page_of_keys_stops_the_player(window, monkeypatch):
+    press(window, pygame.K_F1)
+    ticks = iter([100, 100])
+    monkeypatch.setattr(window, "poll", lambda: setattr(window, "leaving", not next(ticks, 0)))
+    shown = []
+    monkeypatch.setattr(window, "paint", lambda: shown.append(window.player.t))
+    window.run()
+    assert shown == [0.0, 0.0, 0.0]
+    window.help, window.leaving, ticks = False, False, iter([100, 100])
+    window.run()
+    assert shown[-1] > 0.0
+
+
+@pytest.mark.parametrize("room", [100, 300, 1250])
+def test_hints_fit_and_begin_with_the_page_of_all_keys(room):
+    line = hints(room)
+    assert line.startswith("F1: all keys")
+    assert width(line, HINT) <= room
+    assert ("Esc: leave" in line) == (room == 1250)
+
+
+def test_a_flight_after_a_restart_has_no_alarm_of_the_one_before(file):
+    recording = read_recording(file)
+    traces, restart = RecordedTraces(recording, Track(recording)), recording.episodes[1].start
+    assert recording.columns["slack"][:restart].any()
+    assert traces.at(restart - 1).alarm is not None
+    assert traces.at(restart).alarm is None
+
+
+def test_a_landing_looks_the_same_again(tmp_path):
+    flight, pilot = live_flight({"set": "sport", "duration": 30.0}, record=tmp_path / "a"), Land()
+    while not touches_ground(flight.parameters, flight.result.motion) and flight.ticks < 2000:
+        flight.tick(pilot.command(flight.result.motion))
+    flight.close("landed")
+    source = RecordingSource(read_recording(tmp_path / "a"))
+    assert source.shot(source.duration - 0.01, 1.0).readings.touch is None
+    touch = source.shot(source.duration, 1.0).readings.touch
+    assert touch is not None
+    assert touch.gentle

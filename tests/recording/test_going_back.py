@@ -1,7 +1,6 @@
 """A recording of somebody who went back in time is flown again to the same bits."""
 
 import numpy as np
-import pyarrow as pa
 import pytest
 
 from kitemj.drawing.history import History
@@ -152,19 +151,3 @@ def test_a_flight_that_begins_at_another_start_is_flown_again_from_there(tmp_pat
     ].tolist() == [1, 0, 1]
     assert replay(recording, "mujoco").identical
     assert resume_point(recording).scenario.start == other
-
-
-@pytest.mark.parametrize("parent", [-1, 1, 2])
-def test_a_flight_that_goes_on_from_none_before_it_is_refused(tmp_path, parent):
-    """Such a file must not be looked through for ever."""
-    path, damaged = tmp_path / "back.arrows", tmp_path / "damaged.arrows"
-    flown(path, [50, "save", 20, "load", 20])
-    with pa.ipc.open_stream(path) as stream:
-        table = stream.read_all()
-    column = np.where(table["leg"].to_numpy() == 1, parent, 0).astype(np.int32)
-    at = table.column_names.index("parent")
-    changed = table.set_column(at, table.schema.field(at), pa.array(column))
-    with pa.ipc.new_stream(damaged, table.schema) as out:
-        out.write_table(changed)
-    with pytest.raises(InputError, match="its flight 2 goes on from flight"):
-        read_recording(damaged)

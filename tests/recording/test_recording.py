@@ -96,12 +96,14 @@ def test_first_departure_has_its_moment_and_reason(tmp_path):
     assert "left the limits of validity at" in summary(recording)
 
 
-def test_kill_9_costs_less_than_a_second(tmp_path):
+def test_kill_9_costs_less_than_a_second_and_leaves_no_lock(tmp_path):
     file = tmp_path / "kite.arrows"
     command = [sys.executable, "-m", "tests.recording.flights", str(file)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as program:
         assert program.stdout.readline() == "flying\n"
         begun = time.perf_counter()
+        with pytest.raises(InputError, match="another program is recording into"):
+            live_flight(record=file, overwrite=True)
         time.sleep(1.3)
         program.kill()
         flown = time.perf_counter() - begun
@@ -109,6 +111,8 @@ def test_kill_9_costs_less_than_a_second(tmp_path):
     assert flown - CRASH_COSTS < recording.columns["t_s"][-1] <= flown + TICK
     assert recording.ending == ""
     assert "breaks off" in summary(recording)
+    live_flight(record=file, overwrite=True).close("over")
+    assert read_recording(file).ending == "over"
 
 
 def test_cut_anywhere_all_whole_batches_are_read(file, tmp_path):

@@ -1,0 +1,115 @@
+"""The columns that a recording must hold, and what must be true of them: checked on reading."""
+
+import numpy as np
+import pyarrow as pa
+
+from kitemj.errors import InputError
+from kitemj.physics.rig import Rig
+from kitemj.physics.shaping import StickLaw
+from kitemj.recording.header import Header, to_json
+from kitemj.recording.table import ATTITUDE, LIMITS, PLACE, REFERENCE, Columns, all_columns
+
+HEADER_KEY = b"kitemj"
+"""Under which the header stands in the schema's metadata, as JSON."""
+SOMETIMES = (*REFERENCE, "gap_m")
+"""Columns that are not a number where there is no reference."""
+ROUNDING = 1e-6
+"""Of t_s [s], and of the products of the axes in R_BE, which models keep to 1e-9 or better."""
+
+
+def schema(header: Header, rig: Rig) -> pa.Schema:
+    """The columns and, in the metadata, the header as JSON."""
+    return pa.schema(_kinds(rig).items(), {HEADER_KEY: to_json(header)})
+
+
+def _kinds(rig: Rig) -> dict[str, pa.DataType]:
+    kinds = dict.fromkeys(PLACE, pa.int32()) | dict.fromkeys(LIMITS, pa.bool_())
+    return {name: kinds.get(name, pa.float64()) for name in all_columns(rig)}
+
+
+def checked_columns(table: pa.Table, header: Header, rig: Rig, source: str) -> Columns:
+    """Each column, shape (rows,); InputError, which names `source`, where no flight is in them."""
+    columns = {}
+    for name, kind in _kinds(rig).items():
+        found = [field for field in table.schema if field.name == name]
+        if not found:
+            raise InputError(f"{source} lacks the column {name}: another version wrote it")
+        if len(found) > 1:
+            raise InputError(f"{source} is damaged: it has two columns {name}")
+        if found[0].type != kind:
+            raise InputError(
+                f"{source} is damaged: its column {name} holds {found[0].type}, where {kind} "
+                f"must be"
+            )
+        column = table[name]
+        numbers = column.to_numpy()
+        gaps = np.zeros(len(numbers), np.bool_)
+        if column.null_count:
+            gaps = column.is_null().to_numpy()
+        elif kind == pa.float64() and name not in SOMETIMES:
+            gaps = ~np.isfinite(numbers)
+        if gaps.any():
+            raise InputError(f"{source} is damaged: no number in {name}, row {_first(gaps)}")
+        columns[name] = numbers
+    _check_places(columns, header, source)
+    _check_motions(columns, header, source)
+    return columns
+
+
+def _check_places(columns: Columns, header: Header, source: str) -> None:
+    """Raises InputError where a row does not follow the one before, or an episode another."""
+    leg, tick, parent, start = (columns[name] for name in PLACE)
+    begins = np.append(True, np.diff(leg) != 0)
+    follows = np.append(False, np.diff(tick) == 1)
+    wrong = (leg != np.cumsum(begins) - 1) | ~(begins | follows) | (tick < 0)
+    if wrong.any():
+        row = _first(wrong)
+        raise InputError(
+            f"{source} is damaged: row {row}, tick {tick[row - 1]} of flight {leg[row - 1] + 1}, "
+            f"does not follow the row before"
+        )
+    wrong = (start < 0) | (start >= len(header.starts))
+    if wrong.any():
+        row = _first(wrong)
+        raise InputError(
+            f"{source} is damaged: row {row} has start {start[row - 1]}, the header has starts "
+            f"0 to {len(header.starts) - 1}"
+        )
+    first = np.flatnonzero(begins)
+    last = np.append(first[1:], len(leg)) - 1
+    for number, row in enumerate(first.tolist()):
+        if tick[row] == 0:
+            continue
+        before = int(parent[row])
+        if not 0 <= before < number:
+            raise InputError(
+                f"{source} is damaged: its flight {number + 1} goes on from flight "
+                f"{before + 1}, which must be an earlier one"
+            )
+        if not tick[first[before]] <= tick[row] <= tick[last[before]]:
+            raise InputError(
+                f"{source} is damaged: its flight {number + 1} goes on from tick {tick[row]} of "
+                f"flight {before + 1}, which has ticks {tick[first[before]]} to "
+                f"{tick[last[before]]}"
+            )
+
+
+def _check_motions(columns: Columns, header: Header, source: str) -> None:
+    """Raises InputError for rows that no flight can have."""
+    R = np.stack([columns[name] for name in ATTITUDE], axis=1).reshape(-1, 3, 3)
+    with np.errstate(over="ignore", invalid="ignore"):
+        late = np.abs(columns["t_s"] - header.tick * columns["tick"])
+        apart = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2))
+    laws = ", ".join(str(int(law)) for law in StickLaw)
+    for right, what in (
+        (late < ROUNDING, f"t_s is not that of its tick of {1e3 * header.tick:g} ms"),
+        (np.isin(columns["stick_law"], list(StickLaw)), f"stick_law is none of {laws}"),
+        (apart < ROUNDING, "R_BE is no rotation"),
+    ):
+        if not right.all():
+            raise InputError(f"{source} is damaged: in row {_first(~right)} {what}")
+
+
+def _first(rows: np.typing.NDArray[np.bool_]) -> int:
+    """The first of the rows that are true, counted from 1."""
+    return int(np.argmax(rows)) + 1

@@ -1,0 +1,73 @@
+"""Signals that end the program: each is an orderly end, as Ctrl-C is, and the status tells which.
+
+A terminal that is closed hangs up, a system that shuts down terminates: what is being written
+is completed all the same, and nothing is left behind.
+"""
+
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import wraps
+from threading import current_thread, main_thread
+from types import FrameType
+
+from kitemj.console import complain
+
+ENDING = tuple(getattr(signal, n) for n in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, n))
+"""Those that ask a program to end."""
+
+
+class _Received:
+    """The first signal that came (0: none), and whether what it asks for is put off."""
+
+    first, held, due = 0, 0, False
+
+
+def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
+    """`main`, in which the first signal n of these is a KeyboardInterrupt, its status 128 + n."""
+
+    @wraps(main)
+    def run(arguments: Sequence[str] | None = None) -> int:
+        if current_thread() is not main_thread():
+            return main(arguments)
+        _Received.first, _Received.due = 0, False
+        before = {number: signal.getsignal(number) for number in ENDING}
+        for number, handler in before.items():
+            if handler not in (signal.SIG_IGN, None):  # nohup: who asked for that goes on
+                signal.signal(number, _receive)
+        try:
+            status = main(arguments)
+        except KeyboardInterrupt:
+            complain("interrupted; nothing was written")
+            status = 128 + signal.SIGINT
+        finally:
+            for number, handler in before.items():
+                if handler is not None:
+                    signal.signal(number, handler)
+        return 128 + _Received.first if _Received.first else status
+
+    return run
+
+
+def _receive(number: int, frame: FrameType | None) -> None:
+    """Interrupts once; a hangup is often followed by a second, or by a termination."""
+    if _Received.first and number != signal.SIGINT:
+        return
+    _Received.first = _Received.first or number
+    if _Received.held:
+        _Received.due = True
+    else:
+        raise KeyboardInterrupt
+
+
+@contextmanager
+def held() -> Iterator[None]:
+    """Puts a signal's interrupt off until the block has ended."""
+    _Received.held += 1
+    try:
+        yield
+    finally:
+        _Received.held -= 1
+    if _Received.due and not _Received.held:
+        _Received.due = False
+        raise KeyboardInterrupt

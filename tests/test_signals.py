@@ -1,0 +1,169 @@
+"""Signals end the program in order; its children and what it has not completed end with it."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from kitemj.signals import held, orderly
+
+ROOT = Path(__file__).parents[1]
+PATIENCE = 30.0
+"""s; for what takes milliseconds on a machine that has nothing else to do."""
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
+
+
+def send(*numbers: int) -> None:
+    for number in numbers:
+        os.kill(os.getpid(), number)
+
+
+@pytest.mark.parametrize(("number", "status"), [("INT", 130), ("TERM", 143), ("HUP", 129)])
+def test_a_signal_interrupts_and_the_status_tells_which(
+    number: str, status: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = signal.getsignal(signal.SIGTERM)
+    completed = []
+
+    @orderly
+    def main(words: object) -> int:
+        try:
+            send(getattr(signal, f"SIG{number}"))
+        finally:
+            completed.append(words)
+        raise AssertionError("it went on")
+
+    assert main("words") == status
+    assert completed == ["words"]
+    assert capsys.readouterr().err == "kitemj: interrupted; nothing was written\n"
+    assert signal.getsignal(signal.SIGTERM) is before
+
+
+def test_what_follows_a_signal_does_not_disturb_the_end() -> None:
+    """A closed terminal hangs up twice, and a system that shuts down terminates besides."""
+
+    @orderly
+    def main(words: object) -> int:
+        try:
+            send(signal.SIGHUP)
+        except KeyboardInterrupt:
+            send(signal.SIGHUP, signal.SIGTERM)
+        return 0
+
+    assert main() == 129
+
+
+def test_a_program_that_is_to_survive_the_terminal_does() -> None:
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+
+        @orderly
+        def main(words: object) -> int:
+            send(signal.SIGHUP)
+            return 0
+
+        assert main() == 0
+    finally:
+        signal.signal(signal.SIGHUP, before)
+
+
+def test_what_must_not_be_cut_is_done_before_the_interrupt() -> None:
+    done = []
+
+    @orderly
+    def main(words: object) -> int:
+        try:
+            with held():
+                with held():
+                    send(signal.SIGTERM)
+                done.append("whole")
+            done.append("beyond")
+        except KeyboardInterrupt:
+            done.append("interrupted")
+        return 0
+
+    assert main() == 143
+    assert done == ["whole", "interrupted"]
+
+
+def killed(script: str, folder: Path) -> str:
+    """What a program says that kills itself."""
+    path = folder.parent / "killed.py"
+    path.write_text(f"import os, sys, time\n{script}")
+    done = subprocess.run(
+        [sys.executable, path],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        text=True,
+        timeout=PATIENCE,
+        env=os.environ | {"PYTHONPATH": f"{ROOT}{os.pathsep}{ROOT / 'scripts'}"},
+    )
+    assert done.returncode == -signal.SIGKILL
+    return done.stdout
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    return folder
+
+
+@pytest.mark.skipif(not hasattr(os, "O_TMPFILE"), reason="files need a name on this system")
+def test_of_a_file_that_a_killed_program_wrote_nothing_is_left(folder: Path) -> None:
+    killed(
+        """
+from pathlib import Path
+from kitemj.files import new_file
+with new_file(Path("a.csv")) as part:
+    part.write_text("t,x")
+    os.kill(os.getpid(), 9)
+""",
+        folder,
+    )
+    assert list(folder.iterdir()) == []
+
+
+def test_a_folder_of_a_killed_program_goes_with_it(folder: Path) -> None:
+    killed(
+        """
+from pathlib import Path
+from thesis.folder import new_folder
+with new_folder(Path("report")) as part:
+    (part / "index.html").touch()
+    os.kill(os.getpid(), 9)
+""",
+        folder,
+    )
+    until = time.monotonic() + PATIENCE
+    while list(folder.iterdir()) and time.monotonic() < until:
+        time.sleep(0.02)
+    assert list(folder.iterdir()) == []
+
+
+def test_a_child_ends_with_a_killed_program_though_it_never_listens(folder: Path) -> None:
+    said = killed(
+        """
+import kitemj.child
+kitemj.child.GRACE = 0.1
+def work(link):
+    kitemj.child.end_with_parent(0.1)
+    link.send("begun")
+    time.sleep(60)
+if __name__ == "__main__":
+    child = kitemj.child.Child(work)
+    child.link.recv()
+    print(child.pid, flush=True)
+    os.kill(os.getpid(), 9)
+""",
+        folder,
+    )
+    until = time.monotonic() + PATIENCE
+    while Path(f"/proc/{int(said)}").exists() and time.monotonic() < until:
+        time.sleep(0.02)
+    assert not Path(f"/proc/{int(said)}").exists()
