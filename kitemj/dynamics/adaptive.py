@@ -76,7 +76,8 @@ def carried(system: Any, room: Room, t: float, end: float, tolerance: float) -> 
 
     `tolerance` bounds the error of a step in each number, relative to its size plus one.
     What was reached is before `end` where no step is short enough, or too many are: a singular,
-    non-finite or jumping right-hand side; and where the flight ends: no more than `CLOSE` beyond `room_below` = 0.
+    non-finite or jumping right-hand side; and where the flight ends, no more than `CLOSE`
+    beyond `room_below` = 0.
     """
     x, rates, stage, state = room
     n, over, down, under = len(x), room_below(system, t, x), inf, 0.0

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.equilibria.linearise import state_matrix, state_units
-from kitemj.equilibria.minimal import Array, Minimal, steps_for
+from kitemj.equilibria.minimal import Array, Minimal, finite, steps_for
 from kitemj.equilibria.orbit import SAMPLES, Orbit, orbit
 from kitemj.equilibria.shooting import (
     MOST_ROUNDS,
@@ -181,7 +181,8 @@ def _settled(
 
 def _monodromy(kite: Minimal, section: Section, found: Closed) -> Array:
     x, T, _ = found
-    return monodromy(kite, x, T, section.control, steps_for(T), section.units)
+    M = monodromy(kite, x, T, section.control, steps_for(T), section.units)
+    return finite(M, "derivatives of a round", kite.name)
 
 
 def _told(kite: Minimal, section: Section, found: Closed) -> Cycle:

@@ -16,7 +16,7 @@ from math import hypot
 import numpy as np
 
 from kitemj.dynamics.motion import air_of
-from kitemj.equilibria.minimal import Array, Minimal, seen
+from kitemj.equilibria.minimal import Array, Minimal, finite, seen
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, line_motion
 
@@ -105,11 +105,15 @@ def outputs(kite: Minimal, x: Array, control: Control) -> tuple[Array, Array]:
 def state_matrix(kite: Minimal, x0: Array, control: Control) -> Array:
     """A (8, 8) alone."""
     units = state_units(kite.parameters, control.ell)
-    return jacobian(lambda x: kite.answer(x, control).x_dot, x0, units)[0]
+    A = jacobian(lambda x: kite.answer(x, control).x_dot, x0, units)[0]
+    return finite(A, "derivatives", kite.name)
 
 
 def linearise(kite: Minimal, x0: Array, control: Control) -> Linear:
-    """The linear system about the equilibrium `x0` (8,) with `control` held."""
+    """The linear system about the equilibrium `x0` (8,) with `control` held.
+
+    Raises InputError where it is not finite.
+    """
 
     def everything(z: Array) -> Array:
         return np.concatenate(outputs(kite, z[:8], Control(*map(float, z[8:]))))
@@ -118,7 +122,8 @@ def linearise(kite: Minimal, x0: Array, control: Control) -> Linear:
     inputs = (ell, V, LINEAR, 1.0, V / ell, LINEAR / ell)
     units = np.array([*state_units(kite.parameters, ell), *inputs])
     J, error = jacobian(everything, np.array([*x0, *control]), units)
-    y0 = outputs(kite, x0, control)[1]
+    y0 = finite(outputs(kite, x0, control)[1], "tensions", kite.name)
+    finite(J + error, "derivatives", kite.name)
     parts = list(product((slice(8), slice(8, None)), repeat=2))
     blocks = [m[rows, columns] for m in (J, error) for rows, columns in parts]
     return Linear(kite.name, x0, control, y0, *blocks)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.formulation import MAX_STEP, make_model
 from kitemj.dynamics.motion import Body, Motion, State
-from kitemj.errors import FlightError
+from kitemj.errors import FlightError, InputError
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Segment
@@ -75,6 +75,16 @@ class Minimal:
             model.advance(programme, h)
             motions.append(model.motion(programme))
         return motions
+
+
+def finite(numbers: Array, what: str, model: str) -> Array:
+    """`numbers`, of any shape; raises InputError where one of them is not finite."""
+    if np.isfinite(numbers).all():
+        return numbers
+    raise InputError(
+        f"the model {model} finds no finite {what}: ask another model, or give the kite sizes "
+        f"that can be"
+    )
 
 
 def state_of(x: Array) -> State:

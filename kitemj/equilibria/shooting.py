@@ -88,6 +88,8 @@ def closed(
         slope = monodromy(kite, x, T, control, steps, units) if M is None else M
         along = kite.answer(end, control).x_dot / units
         J = np.column_stack([(slope - np.eye(8))[:, free], along])
+        if not np.isfinite(J).all():
+            break
         step = np.linalg.lstsq(J, -gap, rcond=None)[0]
         x, T = x.copy(), T + float(step[7])
         x[free] += step[:7] * units[free]

@@ -54,6 +54,11 @@ class Trim(NamedTuple):
     delta: float
 
     @property
+    def in_words(self) -> str:
+        """Where it stands, for people."""
+        return f"at elevation {degrees(self.elevation):.1f}°, {self.height:.3g} m high"
+
+    @property
     def state(self) -> State:
         """The equilibrium as a start."""
         return State(self.q, Angles(0.0, 0.0, 0.0, 0.0))
@@ -156,7 +161,7 @@ def trimmed(
 def solved(kite: Minimal, start: Array, control: Control) -> Trim | None:
     """The model's own equilibrium next to `start` (4,) [rad], by Newton's method.
 
-    None where it does not reach `RESIDUAL`.
+    None where it does not reach `RESIDUAL`, or is not finite.
     """
 
     def q_ddot(q: Array) -> Array:
@@ -176,7 +181,8 @@ def solved(kite: Minimal, start: Array, control: Control) -> Trim | None:
             break
         q = q - np.linalg.solve(J, f)
     trim = trim_at(kite, best, control)
-    return trim if trim.residual <= RESIDUAL else None
+    known = np.isfinite([*trim.q, *trim[2:7], *trim.tensions]).all()
+    return trim if known and trim.residual <= RESIDUAL else None
 
 
 def trim_at(kite: Minimal, q: Array, control: Control) -> Trim:

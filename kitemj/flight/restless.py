@@ -5,6 +5,7 @@ Formulations agree at rest whatever they get wrong about motion, so rest is no t
 
 from dataclasses import replace
 from math import pi, sqrt
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -33,8 +34,8 @@ def restless(scenario: Scenario) -> Scenario:
     count = int(ROWS * scenario.times.duration * max(quick, slow) / pi) + ROWS
     t = np.linspace(0.0, scenario.times.duration, count)
     columns = (held.ell + ell * _swings(slow * t), held.delta + delta * _swings(quick * t))
-    starts = ((1, 0.0), (2, 0.0))  # ẋ = 0 at the start, ẍ = 0 at the end
-    pieces = (CubicSpline(t, column, bc_type=starts).c for column in columns)
+    still: Any = ((1, 0.0), (2, 0.0))  # no speed at the start, no acceleration at the end
+    pieces = (CubicSpline(t, column, bc_type=still).c for column in columns)
     return replace(scenario, programme=Spline(t, *map(np.ascontiguousarray, pieces)))
 
 

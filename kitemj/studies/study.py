@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 from kitemj.data_files import SCENARIOS, STUDIES, shipped_or_file
-from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MODELS
+from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MIN_STEP, MODELS
 from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
 from kitemj.physics.checked import checked, unknown_key
@@ -24,7 +24,7 @@ from kitemj.registry import own_modules
 from kitemj.studies.design import Design, Point, design_of
 
 VARIED = ("list", "grid", "hypercube")
-LONGEST_STEP = Quantity("s", "longest step of mujoco", gt=0, le=MAX_STEP)
+LONGEST_STEP = Quantity("s", "longest step of mujoco", ge=MIN_STEP, le=MAX_STEP)
 STEP_ERROR = Quantity("", "error of a step of lagrange and newton-euler", ge=1e-14, le=1e-3)
 
 

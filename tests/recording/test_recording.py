@@ -196,6 +196,15 @@ def test_full_disk_is_said_and_nothing_before_is_lost(tmp_path, monkeypatch):
     assert paced.news[-1].problem == ""
     paced.stop()
     assert len(read_recording(tmp_path / "kite.arrows")) == paced.times.ticks + 1
+    assert not paced.flight.cut
+
+
+def test_a_recording_that_stays_cut_is_told_of(tmp_path, monkeypatch):
+    monkeypatch.setattr(recording_module, "os", Disk(full_disk([20_000])))
+    with live_flight(record=tmp_path / "kite.arrows") as flight:
+        for _ in range(50):
+            flight.tick(Command())
+    assert flight.cut
 
 
 @pytest.mark.alone
