@@ -9,9 +9,9 @@ from attacks.victim import Run, harm_of, left_over
 
 SEED = 13
 SHARE = {
-    "fields": 0.01,
-    "tables": 0.03,
-    "arguments": 0.01,
+    "fields": 0.005,
+    "tables": 0.02,
+    "arguments": 0.006,
     "recordings": 0.01,
     "files": 0.03,
     "disks": 0.02,
