@@ -37,11 +37,14 @@ myst_enable_extensions = ["deflist", "dollarmath", "substitution"]
 myst_heading_anchors = 3
 myst_substitutions = {
     "keys": from_program.keys(),
+    "replay_keys": from_program.replay_keys(),
     "toggles": from_program.toggles(),
     "parameters": from_program.parameters(),
     "kites": from_program.kites(),
     "faults": from_program.faults(),
     "counted": from_program.counted_faults(),
+    "shared": str(len(from_program.SHARED)),
+    "shared_faults": from_program.shared_faults(),
 }
 
 default_role = "code"

@@ -14,7 +14,7 @@ from typing import Annotated, Any, get_args, get_origin, get_type_hints
 import pygame
 
 from kitemj.cli import _parser
-from kitemj.controls.actions import HELP
+from kitemj.controls.actions import HELP, REPLAY_HELP
 from kitemj.controls.keys import TOGGLES
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameter_files import SECTIONS, parameter_set, set_names
@@ -24,6 +24,7 @@ ROOT = Path(__file__).parent.parent
 sys.path.insert(0, str(ROOT))
 
 from tests.agreement.faults import FAULTS  # noqa: E402
+from tests.authorities.faults import FAULTS as SHARED  # noqa: E402
 
 
 def version() -> str:
@@ -43,8 +44,17 @@ def _cell(text: str) -> str:
 
 def keys() -> str:
     """What each key and control does: the page that F1 shows."""
-    rows = [tuple(line.split("\t")) for line in HELP if "\t" in line]
-    return table(("keys (pad)", "what they do"), rows)
+    return _page(HELP, "keys (pad)")
+
+
+def replay_keys() -> str:
+    """The same while a recording is shown."""
+    return _page(REPLAY_HELP, "keys")
+
+
+def _page(lines: tuple[str, ...], head: str) -> str:
+    rows = [tuple(line.split("\t")) for line in lines if "\t" in line]
+    return table((head, "what they do"), rows)
 
 
 def toggles() -> str:
@@ -113,6 +123,15 @@ def counted_faults() -> str:
     count = Counter(fault.rung for fault in FAULTS)
     told = ", ".join(f"{count[rung]} by {rung}" for rung in dict.fromkeys(f.rung for f in FAULTS))
     return f"{len(FAULTS)} faults: {told}"
+
+
+def shared_faults() -> str:
+    """Every fault planted in what the models share, and the authority that must notice it."""
+    rows = []
+    for fault in SHARED:
+        test = fault.test.partition(":")[2].removeprefix("test_")
+        rows.append((fault.module, fault.what, test.replace("_", " ")))
+    return table(("in", "fault", "noticed, because"), rows)
 
 
 def short_signature(

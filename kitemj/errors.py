@@ -38,3 +38,9 @@ class FlightError(RuntimeError):
 
 class NoGraphics(RuntimeError):  # noqa: N818  says what is the matter
     """There is no OpenGL to draw with; the message says how to mend that."""
+
+
+def lacks_memory(error: BaseException) -> bool:
+    """Whether the system had no memory for it; MuJoCo and the loader say so in words."""
+    said = ("allocate memory", "failed to map segment")
+    return isinstance(error, MemoryError) or any(each in str(error) for each in said)

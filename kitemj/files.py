@@ -11,10 +11,11 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from secrets import token_hex
 
+from kitemj.console import flush
 from kitemj.errors import InputError
 
-OPEN_STREAMS = re.compile(r"/dev/(stdout|stderr|fd/\d+)|/proc/(self|\d+)/fd/\d+")
-"""Names of what a process has open; a file that one of them stands for is not replaced either."""
+OPEN = {"/dev/stdout": 1, "/dev/stderr": 2}
+"""What this process has open is not replaced either, though it be a file: /dev/fd/N, and these."""
 
 
 def check_new(path: Path, overwrite: bool) -> None:
@@ -36,6 +37,8 @@ def _check_new(path: Path, overwrite: bool) -> None:
     if os.path.lexists(path) and not overwrite:
         raise InputError(f"{path} exists; give another name, or `overwrite`")
     target = _target(path)
+    if target.is_symlink():
+        raise InputError(f"{path} is a link that leads back to itself; give another name")
     if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
         why = "is write-protected" if target.is_file() else "is not a file"
         raise InputError(f"{path} {why}; give another name")
@@ -47,13 +50,18 @@ def _check_new(path: Path, overwrite: bool) -> None:
 
 def is_stream(path: Path) -> bool:
     """Whether what is written to `path` goes on from there: a pipe, a terminal, /dev/null."""
-    if OPEN_STREAMS.fullmatch(str(path.absolute())):
-        return True
     try:
         mode = path.stat().st_mode
     except OSError:
         return False
-    return stat.S_ISFIFO(mode) or stat.S_ISCHR(mode)
+    return _open_number(path) is not None or stat.S_ISFIFO(mode) or stat.S_ISCHR(mode)
+
+
+def _open_number(path: Path) -> int | None:
+    """Which of what this process has open `path` stands for; None: it is an ordinary name."""
+    name = str(path.absolute())
+    found = re.fullmatch(r"(?:/dev|/proc/self)/fd/(\d+)", name)
+    return int(found[1]) if found else OPEN.get(name)
 
 
 class NewFile:
@@ -91,8 +99,7 @@ class NewFile:
         """Gives the file its name, once it is on the disk; raises what `__init__` does."""
         with self.naming():
             if self._stream:
-                with self.part.open("rb") as file, self.path.open("ab", buffering=0) as stream:
-                    shutil.copyfileobj(file, stream)
+                self._pour()
                 return
             with self.part.open("r+b") as file:
                 os.fsync(file.fileno())
@@ -103,6 +110,14 @@ class NewFile:
             if self._nameless is not None:  # given, the descriptor has the link followed
                 os.link(self.part, self._name, src_dir_fd=self._nameless)
             self._name.replace(target)
+
+    def _pour(self) -> None:
+        """Writes all into the stream, after what was printed before."""
+        flush()
+        number = _open_number(self.path)
+        stream = self.path.open("ab") if number is None else os.fdopen(os.dup(number), "wb")
+        with stream, self.part.open("rb") as file:
+            shutil.copyfileobj(file, stream)
 
     def discard(self) -> None:
         """Removes what was not kept; may be called twice."""

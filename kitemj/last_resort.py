@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from kitemj.console import complain
+from kitemj.signals import interrupt
 
 UNFORESEEN = 70
 """The exit status; EX_SOFTWARE of sysexits.h."""
@@ -37,7 +38,10 @@ def reporting(words: Sequence[str]) -> Iterator[None]:
     before = threading.excepthook, sys.unraisablehook
 
     def hook(fault: Any) -> None:
-        if fault.exc_value is not None and not isinstance(fault.exc_value, SystemExit):
+        if isinstance(fault.exc_value, KeyboardInterrupt):
+            # it came while something was thrown away, and is lost with it: once more
+            threading.Timer(0.01, interrupt).start()
+        elif fault.exc_value is not None and not isinstance(fault.exc_value, SystemExit):
             report(fault.exc_value, words)
 
     threading.excepthook = sys.unraisablehook = hook

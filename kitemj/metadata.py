@@ -5,6 +5,7 @@ that the table itself stays one that every program reads: a comment in it would 
 """
 
 import json
+import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from importlib.metadata import version
@@ -39,18 +40,30 @@ def told(about: Mapping[str, Any]) -> str:
 def new_csv(path: Path, about: Mapping[str, Any], overwrite: bool = False) -> Iterator[Path]:
     """A name to write a CSV to, as `new_file`; beside it appears what the table is `about`.
 
-    Where `path` is a stream, nothing is beside it.
+    Both or none; where `path` is a stream, nothing is beside it.
     """
     if not _told_beside(path):
         with new_file(path, overwrite) as part:
             yield part
         return
-    # the table appears first: nothing is told of one that does not
-    with new_file(metadata_file(path), overwrite) as beside, new_file(path, overwrite) as part:
-        yield part
-        note = {KEY: json.loads(told(about)), "crc32": f"{crc32(part.read_bytes()):08x}"}
-        document = {"@context": "http://www.w3.org/ns/csvw", "url": path.name, "notes": [note]}
-        beside.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+    new = not os.path.lexists(path)
+    alone = False
+    try:  # the table appears first: nothing is told of one that does not
+        with new_file(metadata_file(path), overwrite) as beside:
+            with new_file(path, overwrite) as part:
+                yield part
+                _tell(beside, path.name, about, part.read_bytes())
+            alone = new
+    except BaseException:
+        if alone:
+            path.unlink(missing_ok=True)
+        raise
+
+
+def _tell(beside: Path, name: str, about: Mapping[str, Any], content: bytes) -> None:
+    note = {KEY: json.loads(told(about)), "crc32": f"{crc32(content):08x}"}
+    document = {"@context": "http://www.w3.org/ns/csvw", "url": name, "notes": [note]}
+    beside.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
 
 
 def about_csv(path: Path) -> dict[str, Any]:

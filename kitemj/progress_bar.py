@@ -17,8 +17,11 @@ def progress_bar(label: str, total: float, done: float = 0) -> Iterator[Callable
     watched = console.is_terminal or console.is_jupyter
     if console.is_jupyter:  # rich asks for a package of widgets there; one line needs none
         console = Console(stderr=True, force_jupyter=False, force_terminal=True, width=80)
+    if not watched:
+        yield lambda amount: None
+        return
     columns = (label, MofNCompleteColumn(), BarColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, transient=True, disable=not watched) as bar:
+    with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("", total=total, completed=int(done))
         yield lambda amount: bar.update(task, completed=amount)
 

@@ -5,8 +5,9 @@ is completed all the same, and nothing is left behind.
 """
 
 import signal
+from _thread import interrupt_main
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import wraps
 from threading import current_thread, main_thread
 from types import FrameType
@@ -35,11 +36,15 @@ def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
         for number, handler in before.items():
             if handler not in (signal.SIG_IGN, None):  # nohup: who asked for that goes on
                 signal.signal(number, _receive)
+        status = 128 + signal.SIGINT
         try:
             status = main(arguments)
         except KeyboardInterrupt:
-            complain("interrupted; nothing was written")
-            status = 128 + signal.SIGINT
+            with suppress(OSError):
+                complain("interrupted; nothing was written")
+        except OSError:
+            if not _Received.first:
+                raise  # otherwise the terminal is gone, and nobody can be told anything
         finally:
             for number, handler in before.items():
                 if handler is not None:
@@ -58,6 +63,14 @@ def _receive(number: int, frame: FrameType | None) -> None:
         _Received.due = True
     else:
         raise KeyboardInterrupt
+
+
+def interrupt() -> None:
+    """Interrupts the main thread, from another."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(main_thread().ident or 0, signal.SIGINT)
+    else:
+        interrupt_main()
 
 
 @contextmanager

@@ -111,7 +111,10 @@ def test_a_fault_in_a_thread_is_a_sentence_too(monkeypatch, tmp_path, capsys):
         (PermissionError(errno.EACCES, "Permission denied", "a"), 2, "a: Permission denied"),
         (FileNotFoundError("models/kite.xml is missing"), 2, "models/kite.xml is missing"),
         (OSError(errno.ENAMETOOLONG, "File name too long", "n"), 2, "n: File name too long"),
-        (MemoryError(), 70, "not enough memory"),
+        (MemoryError(), 70, "not enough memory: a flight takes"),
+        (ValueError("engine error: Could not allocate memory"), 70, "not enough memory (engine"),
+        (ImportError("x.so: failed to map segment from shared object"), 70, "not enough memory (x"),
+        (OSError(errno.ENOMEM, "Cannot allocate memory", "x"), 70, "not enough memory ("),
         (ValueError("several\nlines " + "x" * 9999), 70, "several lines x"),
     ],
 )

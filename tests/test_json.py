@@ -72,8 +72,9 @@ def test_trim_and_stability(printed):
     held = lines_held(scenario.parameters, scenario.programme)
     trims = equilibria(scenario.parameters, *held, "lagrange", scenario.source)
     found, status = printed("trim", "rest_200m", "--models", "lagrange")
-    assert (found, status) == ({"equilibria": trim_table(trims).records(), "notes": []}, 0)
     modes = stability(scenario.parameters, *held, "lagrange", scenario.source)
+    notes = [f"{trims[0].in_words}: {modes.in_words}"]
+    assert (found, status) == ({"equilibria": trim_table(trims).records(), "notes": notes}, 0)
     found, status = printed("stability", "rest_200m")
     assert found["modes"] == modes.tables()[0].records()
     assert found["linear system"]["A"] == modes.linear.A.tolist()

@@ -16,8 +16,10 @@ import pytest
 from kitemj.physics import code_folder, machine_code
 from kitemj.physics.code_folder import INHERITED
 from kitemj.physics.compiled import compiled
+from kitemj.physics.parameter_files import WINDS
 from kitemj.physics.vectors import Vector
 from kitemj.physics.wind import Wind, wind_law, wind_velocity
+from kitemj.studies.study import study_of
 
 PACKAGE = Path(code_folder.__file__).parent.parent
 BREEZE = """
@@ -30,7 +32,7 @@ from kitemj.physics.wind import wind_law
 def told(factor):
     @compiled
     def formula(wind, p_E, t):
-        return Vector(factor * wind.speed * helper.helped(t) + mine.GUST[0], mine.CALM, 0.0)
+        return Vector(factor * wind.speed * helper.helped(t) + mine.GUST[0], mine.CALM, mine.AGAIN)
     return formula
 
 wind_law.of(Breeze)(told(mine.FACTOR))
@@ -40,23 +42,26 @@ FILES = {
     "helper": "from numba import njit\n@njit\ndef helped(t):\n    return t + 1.0\n",
     "fields": "from typing import NamedTuple\nclass Breeze(NamedTuple):\n"
     "    speed: float\n    azimuth: float\n",
-    "numbers_of_mine": "from pathlib import Path\nimport numpy\nFACTOR, CALM = 1.0, 0.0\n"
+    "numbers_of_mine": "from pathlib import Path\nimport numpy\n"
+    "FACTOR, CALM = 1.0, 0.0\nAGAIN = CALM\n"
     "GUST = numpy.array([float(Path(__file__).with_name('gust.txt').read_text())])\n",
 }
 """A wind in four files; at t = 4 s it is 2 * (4 + 1) + 0.5 = 10.5 m/s."""
 CHANGES = [
     ("helper.py", "t + 1.0", "t + 2.0", (12.5, 0.0)),
-    ("numbers_of_mine.py", "1.0, 0.0", "1.0, 7.0", (10.5, 7.0)),
+    ("numbers_of_mine.py", "1.0, 0.0", "1.0, 7.0", (10.5, 14.0)),
     ("numbers_of_mine.py", "1.0, 0.0", "3.0, 0.0", (30.5, 0.0)),
+    ("numbers_of_mine.py", "AGAIN = CALM", "AGAIN = FACTOR", (10.5, 1.0)),
     ("gust.txt", "0.5", "1.5", (11.5, 0.0)),
     ("fields.py", "speed: float\n    azimuth", "azimuth: float\n    speed", (10.5, 0.0)),
 ]
+STUDY = {"scenario": {"set": "sport", "wind": {"law": "breeze"}}, "grid": {"aero.Cm_0": [0.1]}}
 
 
 @compiled
 def felt(wind, t):
     v_E = wind_velocity(wind, Vector(0.0, 0.0, 0.0), t)
-    return v_E.x, v_E.y
+    return v_E.x, v_E.y + v_E.z
 
 
 @compiled
@@ -107,6 +112,19 @@ def test_a_change_in_any_file_of_somebodys_formula_compiles_it_anew(folder, mine
         assert anew() == (wind, True), name
         (mine / name).write_text(text)
         assert anew() == ((10.5, 0.0), False), name
+
+
+def test_a_study_does_not_go_on_where_a_file_of_its_formula_changed(folder, mine, monkeypatch):
+    def digest():
+        anew()
+        monkeypatch.setitem(WINDS._loaded, "breeze", sys.modules["fields"].Breeze)
+        return study_of(STUDY, "test", mine).digest
+
+    before = digest()
+    assert digest() == before
+    helper = mine / "helper.py"
+    helper.write_text(helper.read_text().replace("1.0", "2.0"))
+    assert digest() != before
 
 
 def test_an_own_law_leaves_the_machine_code_without_it_alone(folder, mine):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from kitemj.last_resort import reporting
 from kitemj.signals import held, orderly
 
 ROOT = Path(__file__).parents[1]
@@ -89,6 +90,24 @@ def test_what_must_not_be_cut_is_done_before_the_interrupt() -> None:
 
     assert main() == 143
     assert done == ["whole", "interrupted"]
+
+
+def test_an_interrupt_while_something_is_thrown_away_is_not_lost() -> None:
+    """Python itself passes over whatever is raised there."""
+
+    class Thrown:
+        def __del__(self) -> None:
+            send(signal.SIGTERM)
+
+    @orderly
+    def main(words: object) -> int:
+        with reporting([]):
+            thrown: Thrown | None = Thrown()
+            del thrown
+            time.sleep(PATIENCE)
+        raise AssertionError("it went on")
+
+    assert main() == 143
 
 
 def killed(script: str, folder: Path) -> str:

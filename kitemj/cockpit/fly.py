@@ -93,7 +93,7 @@ def fly(
             first = first or time.perf_counter() - called
             clock.tick(FRAME_RATE)
     except KeyboardInterrupt:
-        pass  # leaving in a hurry is leaving: the film and the summary are complete
+        ending = "interrupted"  # leaving in a hurry is leaving: film and summary are complete
     finally:
         wall = time.perf_counter() - begun
         try:

@@ -43,13 +43,13 @@ def give_results(
     notes: Sequence[str] = (),
     show: bool = True,
 ) -> None:
-    """Prints notes and tables, writes the numbers, draws the figure: what of it was asked for.
+    """Prints tables and notes, writes the numbers, draws the figure: what of it was asked for.
 
     args: of `add_results`
     tables: what was found
     extra: goes into JSON beside the tables
     figure: draws it
-    notes: sentences above the tables
+    notes: sentences below the tables, the one that says most at the end
     show: whether the tables are short enough to be printed for people
     """
     from kitemj.flight.motion_table import about_flight
@@ -60,10 +60,10 @@ def give_results(
     if args.json:
         print(json_text(tables, {**extra, "notes": [note for note in notes if note]}))
     else:
-        for note in notes:
-            print(note)
         for table in tables if show else []:
             print_table(table)
+        for note in filter(None, notes):
+            print(note)
     if args.output:
         about = about_flight(read_scenario(args.scenario))
         write(args.output, tables, extra, args.overwrite, about)

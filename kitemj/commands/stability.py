@@ -56,7 +56,7 @@ def _modes(args: argparse.Namespace, scenario: "Scenario") -> None:
     from kitemj.equilibria import plots, tables
 
     found = stability(scenario, args.model)
-    notes = [f"{'stable' if found.stable else 'not stable'}; {tables.v_ref_note(found.V_ref)}"]
+    notes = [tables.v_ref_note(found.V_ref), found.in_words]
     linear: dict[str, object] = {"linear system": tables.matrices(found.linear)}
     if args.json:
         linear["stable"] = found.stable

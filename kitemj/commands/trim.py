@@ -21,10 +21,15 @@ def run(args: argparse.Namespace) -> None:
     """Prints, writes and draws what is asked for."""
     from kitemj.api import trim
     from kitemj.equilibria import plots
+    from kitemj.equilibria.modes import stability_of
     from kitemj.equilibria.tables import trim_table
     from kitemj.flight.scenario import read_scenario
 
     check_results(args)
     scenario = read_scenario(args.scenario)
     trims = [found for model in args.models.split(",") for found in trim(scenario, model)]
-    give_results(args, [trim_table(trims)], {}, lambda: plots.trim_figure(trims))
+    first = [found for found in trims if found.model == trims[0].model]
+    notes = [
+        f"{each.in_words}: {stability_of(scenario.parameters, each).in_words}" for each in first
+    ]
+    give_results(args, [trim_table(trims)], {}, lambda: plots.trim_figure(trims), notes)

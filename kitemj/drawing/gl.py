@@ -68,7 +68,9 @@ def open_graphics(width: int, height: int) -> Graphics:
         failures.append(backend)
     asked = os.environ.get("MUJOCO_GL", "")
     what = f"MUJOCO_GL={asked}" if asked else f"OpenGL ({' and '.join(failures)})"
-    raise NoGraphics(f"cannot draw: {what} does not work on this machine; {_remedy(failures)}")
+    raise NoGraphics(
+        f"cannot draw: {what} does not work on this machine; {_remedy(failures)}{_limit()}"
+    )
 
 
 def candidates(asked: str, system: str) -> list[str]:
@@ -127,6 +129,17 @@ def _key(backend: str) -> str:
     facts = [backend, platform.node(), platform.release(), sys.prefix, *stamps]
     facts += [os.environ.get(name) for name in VARIABLES]
     return hashlib.sha256(repr(facts).encode()).hexdigest()[:16]
+
+
+def _limit() -> str:
+    """A word on the memory that this program may have, if limited: OpenGL gives no reason."""
+    if sys.platform != "win32":
+        import resource
+
+        most, _ = resource.getrlimit(resource.RLIMIT_AS)
+        if most != resource.RLIM_INFINITY:
+            return f"; or {most / 1e9:.2g} GB of memory, the limit here (ulimit -v), are too little"
+    return ""
 
 
 def _remedy(failures: list[str]) -> str:

@@ -66,7 +66,7 @@ def paint_tensions(
         else:
             share = scale.share(tension)
             panel.bar(BAR, row - half, share * ROOM, 2 * half, BAD if over else colour)
-        _marks(panel, scale, parameters.limits.tension_max, row, half)
+            _marks(panel, scale, parameters.limits.tension_max, row, half)
         value = f"{tension:.1f} N" if abs(tension) < 99.95 else f"{tension:.0f} N"
         colour, size = (CALL, LARGE - 2) if slack or over else (WHITE, NUMBER)
         panel.text(value, panel.width - 10, row, size if alarm == NOW else NUMBER, colour, 1)

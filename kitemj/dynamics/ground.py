@@ -10,11 +10,14 @@ from kitemj.errors import FlightError
 from kitemj.physics.compiled import compiled
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Rotation, Vector, plus, unrotated
+from kitemj.progress_bar import with_progress
 
 if TYPE_CHECKING:
     from kitemj.dynamics.formulation import Model
     from kitemj.physics.steering import Programme
 
+LONG = 600.0
+"""s; a longer flight shows how far it is."""
 TOUCH = 1e-3
 """m; nearer than this to the ground the engine's contact is at work."""
 CLOSE = 1e-9
@@ -52,7 +55,8 @@ def down_to_ground(
     """
     motions: list[Motion] = []
     try:
-        for t in times:
+        long = times and times[-1] - model.t > LONG
+        for t in with_progress("rows flown", times, len(times)) if long else times:
             if t > model.t:
                 fly(t)
             motions.append(model.motion(programme))

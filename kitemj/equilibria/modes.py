@@ -6,7 +6,7 @@ kite loses its stability at -0.4927 with V_ref = 7 m/s, and at -0.2986 with V_re
 """
 
 from dataclasses import dataclass
-from math import pi
+from math import log, pi
 from typing import NamedTuple
 
 import numpy as np
@@ -16,11 +16,12 @@ from scipy.optimize import brentq
 from kitemj.dynamics.lagrange import body
 from kitemj.equilibria.linearise import Linear, linearise, state_matrix
 from kitemj.equilibria.minimal import Array, Minimal, state_of
-from kitemj.equilibria.trim import trimmed
+from kitemj.equilibria.trim import Trim, trimmed
 from kitemj.equilibria.vary import check_range, unit_of, with_value
 from kitemj.errors import InputError, NothingFound
 from kitemj.physics.frames import R_1E, Angles
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.steering import Control
 from kitemj.tables import Table, Tabled
 
 POINTS = 81
@@ -29,6 +30,16 @@ SHARE = 0.01
 """Of a mode's kinetic energy; a motion with more of it is named: on long lines 1 % is much yaw."""
 MOTIONS = ("sway", "heave", "roll", "pitch", "yaw")
 """G sideways; G within the plane of symmetry; turns about x_B, y_B, z_B."""
+
+
+PLAINLY = {
+    "sway": "sideways",
+    "heave": "up and down",
+    "roll": "rolling",
+    "pitch": "nose up and down",
+    "yaw": "nose left and right",
+}
+"""Each of `MOTIONS` as anybody calls it."""
 
 
 class Mode(NamedTuple):
@@ -61,6 +72,22 @@ class Stability(Tabled):
     def stable(self) -> bool:
         """Whether every disturbance dies out."""
         return self.modes[0].real < 0
+
+    @property
+    def in_words(self) -> str:
+        """Whether it stays there, and the motion that decides it, in a sentence."""
+        mode, growing = self.modes[0], sum(mode.real > 0 for mode in self.modes)
+        moves = PLAINLY[MOTIONS[int(np.argmax(mode.shares))]]
+        if mode.imag:
+            moves = f"swinging {moves}, {_seconds(1 / mode.frequency)} a swing"
+        if abs(mode.real) <= mode.error:
+            known = f"{mode.real:.2g} ± {mode.error:.2g} 1/s"
+            return f"on the border of stability: {moves}, neither dies out nor grows ({known})"
+        change = _seconds(log(2) * mode.time_constant)
+        if self.stable:
+            return f"stable; slowest: {moves}, halved in {change}"
+        more = f"; others that grow: {growing - 1}" if growing > 1 else ""
+        return f"unstable: {moves}, doubled in {change}{more}"
 
     def tables(self) -> list[Table]:
         """A row for each mode, least stable first."""
@@ -100,9 +127,19 @@ def stability(
 
     `ell` [m] (None: ℓ₀), `delta` [rad]. Raises InputError where there is no equilibrium.
     """
-    linear = linearise(Minimal(model, parameters), *trimmed(parameters, ell, delta, source))
-    V_ref = getattr(parameters.aero, "V_ref", None)
-    return Stability(linear, modes(parameters, linear), V_ref)
+    x0, control = trimmed(parameters, ell, delta, source)
+    return _stability_at(parameters, model, x0, control)
+
+
+def stability_of(parameters: Parameters, trim: Trim) -> Stability:
+    """The same about an equilibrium that was found, by its own model."""
+    x0 = np.concatenate((trim.q, np.zeros(4)))
+    return _stability_at(parameters, trim.model, x0, trim.control)
+
+
+def _stability_at(parameters: Parameters, model: str, x0: Array, control: Control) -> Stability:
+    linear = linearise(Minimal(model, parameters), x0, control)
+    return Stability(linear, modes(parameters, linear), getattr(parameters.aero, "V_ref", None))
 
 
 def modes(parameters: Parameters, linear: Linear) -> list[Mode]:
@@ -201,6 +238,11 @@ def _no_change(parameters: Parameters, name: str, grid: Array, reals: Array) -> 
         f"the equilibrium is {what}{missing} {where}: no stability is lost (largest real part "
         f"{np.nanmin(reals):.4g} to {np.nanmax(reals):.4g} 1/s); give another range"
     )
+
+
+def _seconds(duration: float) -> str:
+    """A duration [s] as people say it."""
+    return f"{duration:.2g} s" if duration < 99.5 else f"{duration:.0f} s"
 
 
 def _mode(value: complex, error: float, shares: tuple[float, ...]) -> Mode:

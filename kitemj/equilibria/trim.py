@@ -54,6 +54,11 @@ class Trim(NamedTuple):
     delta: float
 
     @property
+    def in_words(self) -> str:
+        """Where it stands, for people."""
+        return f"at elevation {degrees(self.elevation):.1f}°, {self.height:.3g} m high"
+
+    @property
     def state(self) -> State:
         """The equilibrium as a start."""
         return State(self.q, Angles(0.0, 0.0, 0.0, 0.0))

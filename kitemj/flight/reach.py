@@ -1,12 +1,14 @@
 """How far arms can steer: from the way of a hand along its line to the largest δ."""
 
-from math import degrees, isfinite, sin, sqrt
+from math import degrees, sin, sqrt
 from typing import NamedTuple
 
 from kitemj.errors import InputError
 from kitemj.physics.parameters import Parameters
+from kitemj.physics.quantity import SENSIBLE
 from kitemj.physics.steering import ell_delta, rest_ell
 
+LEAST, MOST = SENSIBLE["m"]
 STEEPEST = 1.5
 """rad; what a set allows as its largest δ."""
 
@@ -44,8 +46,10 @@ def reach_of(arm: float, length: float, attachments: float) -> Reach:
     as `longest_arm`.
     """
     for name, value in (("arm", arm), ("length", length), ("attachments", attachments)):
-        if not (isfinite(value) and value > 0):
+        if not value > 0:
             raise InputError(f"`{name}` must be > 0 m, got {value} m")
+        if not LEAST <= value <= MOST:
+            raise InputError(f"`{name}` must be {LEAST:g} to {MOST:g} m, got {value} m")
     y_A = attachments / 2
     if length <= y_A:
         raise InputError(

@@ -20,8 +20,8 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.steering import Programme, Sines, Spline, rest_ell
 
-MOST_ROWS = 1_000_000
-"""Rows of a flight: each takes some 2 kB of memory while it is flown, and a line of a table."""
+MOST_ROWS = 500_000
+"""Rows of a flight: each takes 4 kB of memory."""
 CLOSEST = 1e-6
 """s; between two rows of a steering table. No hand is quicker, and the spline keeps its digits."""
 PROGRAMMES = ("rest", "sine", "table")

@@ -6,10 +6,13 @@ import numpy as np
 
 from kitemj.dynamics.formulation import DEFAULT_STEP, make_model
 from kitemj.dynamics.motion import Motion
-from kitemj.errors import FlightError
+from kitemj.errors import FlightError, InputError
 from kitemj.flight.limits import Departure, Ending, first_departure, touches_ground
 from kitemj.flight.scenario import Scenario
 from kitemj.physics.frames import Angles
+
+MOST_STEPS = 1e9
+"""Of a flight; a step takes some 10 µs."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +33,12 @@ def simulate(scenario: Scenario, model: str = "mujoco", step: float = DEFAULT_ST
     `step` [s] is the longest step of models with fixed steps. Raises InputError for an
     unknown model.
     """
-    kite = make_model(model, scenario.parameters, step)
+    kite, duration = make_model(model, scenario.parameters, step), scenario.times.duration
+    if duration / step > MOST_STEPS:
+        raise InputError(
+            f"{duration:g} s in steps of {step:g} s are more than {MOST_STEPS:g} steps, which take "
+            f"hours: fly less of it, or in steps (`step`) of {duration / MOST_STEPS:g} s or more"
+        )
     kite.start(scenario.start, scenario.programme)
     ending, note = Ending.FINISHED, ""
     try:

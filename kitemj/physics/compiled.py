@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from kitemj.physics.code_folder import INHERITED, code_folder
 from kitemj.physics.machine_code import MachineCode
+from kitemj.physics.reach import fingerprint
 
 Array = NDArray[np.float64]
 F = TypeVar("F", bound=Callable[..., Any])
@@ -78,12 +79,21 @@ class Law:
         return register
 
 
+_laws: list[Law] = []
+
+
+def code_of(kind: type) -> str:
+    """A hash of the formulas that laws have for `kind`, and of all that they are made of."""
+    return fingerprint(tuple(law.formulas[kind] for law in _laws if kind in law.formulas), ())
+
+
 def law(contract: F) -> tuple[F, Law]:
     """The function to call and the `Law` to register formulas with.
 
     `contract` has the signature and the docstring; its body is never run.
     """
     register = Law()
+    _laws.append(register)
 
     def by_type(*arguments: Any) -> Any:
         return register.formulas[type(arguments[0])](*arguments)

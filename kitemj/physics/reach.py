@@ -45,33 +45,41 @@ class _Reach:
 
     def __init__(self) -> None:
         self.told: list[Any] = []
-        self._met: dict[int, Any] = {}  # by identity, and held so that it stays one
+        self._met: dict[int, tuple[int, Any]] = {}  # by identity; held, so that it stays one
         self._laws: list[Any] = []
+        self._chosen: set[tuple[int, int]] = set()
 
     def follow(self, values: list[Any]) -> None:
         """Tells of `values` and of all that they lead to."""
-        while values:
-            waiting = values[::-1]
-            while waiting:
-                value = waiting.pop()
-                if id(value) not in self._met:
-                    self._met[id(value)] = value
-                    waiting += self._tell(value)
-            chosen = [law.formulas[kind] for law in self._laws for kind in self._kinds(law)]
-            values = [formula for formula in chosen if id(formula) not in self._met]
+        waiting = values[::-1]
+        while waiting:
+            value = waiting.pop()
+            if isinstance(value, PLAIN):
+                self.told.append((type(value).__name__, value))
+            elif id(value) in self._met:
+                self.told.append(self._met[id(value)][0])
+            else:
+                self._met[id(value)] = len(self._met), value
+                waiting += self._tell(value)
+            waiting = waiting or self._formulas()
 
-    def _kinds(self, law: Any) -> list[type]:
-        """The types within reach for which `law` has a formula, in an order that lasts."""
-        return sorted((kind for kind in law.formulas if id(kind) in self._met), key=_name)
+    def _formulas(self) -> list[Any]:
+        """Those of the laws that were met for the types that were met, each once."""
+        found = []
+        for law in self._laws:
+            for kind in sorted((each for each in law.formulas if id(each) in self._met), key=_name):
+                if (id(law), id(kind)) not in self._chosen:
+                    self._chosen.add((id(law), id(kind)))
+                    self.told.append(_name(kind))
+                    found.append(law.formulas[kind])
+        return found
 
     def _tell(self, value: Any) -> list[Any]:
         """Tells of one value; what it leads to."""
-        if isinstance(value, PLAIN):
-            self.told.append((type(value).__name__, value))
-        elif isinstance(value, tuple):
+        if isinstance(value, tuple):
             self.told.append((_name(type(value)), len(value)))
             return [type(value), *value]
-        elif isinstance(value, np.ndarray):
+        if isinstance(value, np.ndarray):
             self.told.append((str(value.dtype), value.shape, value.tobytes()))
         elif hasattr(value, "py_func"):
             self.told.append((_name(value), sorted(value.targetoptions.items())))

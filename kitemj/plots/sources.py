@@ -67,6 +67,8 @@ def _simulated(scenario: Scenario, model: str) -> Flight:
 def _recorded(path: Path, episode: int) -> Flight:
     recording = read_recording(path)
     chosen, notes = _chosen(path, recording.episodes, episode)
+    if not recording.ending:
+        notes.append(f"{path.name} breaks off: the program was stopped, or the disk was full")
     return replace(flight_of_recording(recording, chosen), notes=tuple(notes))
 
 

@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar
 from annotated_types import Gt, Interval, Len, MinLen
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
-from kitemj.dynamics.formulation import MAX_STEP, MODELS
+from kitemj.dynamics.formulation import MAX_STEP, MIN_STEP, MODELS
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK, SteeredFlight
@@ -24,8 +24,6 @@ from kitemj.registry import Registry
 FORMAT = 2
 """Rises when an older kitemj could no longer read what is written, or the other way round."""
 
-LEAST_STEP = 1e-6
-"""s; a hundredth of the shortest that anybody flies in time: below it a replay takes for ever."""
 Four = Annotated[list[float], Len(4, 4)]
 """Numbers of q or of q̇."""
 
@@ -47,7 +45,7 @@ class Header:
     scenario: str
     model: str
     reference: str
-    step: Annotated[float, Interval(ge=LEAST_STEP, le=MAX_STEP)]
+    step: Annotated[float, Interval(ge=MIN_STEP, le=MAX_STEP)]
     parameters: dict[str, dict[str, Any]]
     starts: Annotated[list[Annotated[list[Four], Len(2, 2)]], MinLen(1)]
     written: str

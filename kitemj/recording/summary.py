@@ -159,6 +159,8 @@ def comparison(again: Replay) -> str:
         lines.append(f"not compared {ticks} ticks after a slack line or the ground")
     if again.note:
         lines.append(f"broke off    {again.note}")
+    if not recording.ending:
+        lines.append(f"recorded end {BROKEN_OFF}")
     return "\n".join(lines)
 
 

@@ -83,7 +83,15 @@ def local_executor(processes: int | None = None) -> Iterator[StudyExecutor]:
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     if processes is not None and processes < 1:
         raise InputError(f"`processes` must be >= 1, got {processes}")
-    with closing(LocalExecutor(processes or cores or 1)) as executor:
+    try:
+        executor = LocalExecutor(processes or cores or 1)
+    except OSError as error:
+        name = (
+            f"this process alone, as others lack semaphores ({error.strerror}: is /dev/shm there?)"
+        )
+        yield StudyExecutor(1, name, InProcess(), ())
+        return
+    with closing(executor):
         yield executor
 
 

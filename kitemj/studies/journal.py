@@ -198,7 +198,9 @@ class Journal:
         given = {name: float if name in design.numbers else str for name in design.names}
         given = {name: kind for name, kind in given.items() if name not in results}
         fields = [(name, kinds[kind]) for name, kind in (given | results).items()]
-        about = told({"holds": "flights of a study", **self.study.base._asdict()})
+        base = self.study.base._asdict()
+        base["scenario"] = {"set": "laksa", **base["scenario"]}
+        about = told({"holds": "flights of a study", **base})
         metadata = {"study": self.study.digest, KEY: about}
         return pa.schema([("flight", pa.int64()), *fields], metadata)
 

@@ -10,11 +10,12 @@ from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 from kitemj.data_files import SCENARIOS, STUDIES, shipped_or_file
-from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MODELS
+from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MIN_STEP, MODELS
 from kitemj.errors import InputError
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
 from kitemj.physics.checked import checked, unknown_key
 from kitemj.physics.code_folder import formula_hash
+from kitemj.physics.compiled import code_of
 from kitemj.physics.parameter_files import LAWS, LINES, NAMED_BY, SECTIONS, field_names, read_toml
 from kitemj.physics.quantity import Quantity
 from kitemj.physics.rig import RIGS, Rig
@@ -23,7 +24,7 @@ from kitemj.registry import own_modules
 from kitemj.studies.design import Design, Point, design_of
 
 VARIED = ("list", "grid", "hypercube")
-LONGEST_STEP = Quantity("s", "longest step of mujoco", gt=0, le=MAX_STEP)
+LONGEST_STEP = Quantity("s", "longest step of mujoco", ge=MIN_STEP, le=MAX_STEP)
 STEP_ERROR = Quantity("", "error of a step of lagrange and newton-euler", ge=1e-14, le=1e-3)
 
 
@@ -124,7 +125,9 @@ def study_of(tables: Mapping[str, Any], source: str, folder: Path) -> Study:
 def _digest(*parts: Any) -> str:
     text = json.dumps([*parts, formula_hash()], sort_keys=True, default=str)
     for registry in (*LAWS.values(), MODELS):  # whose a formula is that the study names
-        text += "".join(registry.origin(name) for name in registry if f'"{name}"' in text)
+        for name in (name for name in registry if f'"{name}"' in text):
+            if whose := registry.origin(name):
+                text += whose + code_of(registry[name])
     return hashlib.sha256(text.encode()).hexdigest()
 
 

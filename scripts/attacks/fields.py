@@ -89,7 +89,10 @@ def _fly(kind: str, field: str, value: str, model: str, folder: Path) -> str:
     return (
         harm_of(done)
         or (written and not_finite(folder / "flight.csv"))
-        or left_over(folder, ["attack.toml", *(["flight.csv"] if written else [])])
+        or left_over(
+            folder,
+            ["attack.toml", *(["flight.csv", "flight.csv-metadata.json"] if written else [])],
+        )
     )
 
 

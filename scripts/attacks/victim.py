@@ -100,9 +100,10 @@ def harm_of(run: Run, allowed: Sequence[int] = (0, 1, 2)) -> str:
 
 
 def left_over(folder: Path, expected: Sequence[str]) -> str:
-    """A harm where `folder` holds other files than `expected`, by name."""
+    """A harm where `folder` holds other files than `expected`, by name, and what tells of them."""
     names = {path.name for path in folder.iterdir()}
-    if more := sorted(names - set(expected)):
+    told = {f"{name}-metadata.json" for name in expected if name.endswith(".csv")}
+    if more := sorted(names - set(expected) - told):
         return f"file left: {', '.join(more)}"
     if fewer := sorted(set(expected) - names):
         return f"file lost: {', '.join(fewer)}"

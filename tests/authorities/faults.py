@@ -42,6 +42,9 @@ COLUMNS = "test_columns:test_every_column_holds_what_its_name_says"
 BEYOND = "test_columns:test_limits_of_columns_are_those_of_the_file"
 HALFWAY = "test_columns:test_halfway_between_two_ticks_is_where_a_throw_is"
 ENERGY = "test_columns:test_energy_of_a_spinning_plate"
+BARS = "test_cockpit:test_bars_of_tensions_show_half_at_a_quarter"
+ARROW = "test_cockpit:test_the_arrow_of_the_wind_and_a_slack_line"
+READ = "test_columns:test_what_is_read_from_columns_is_what_was_flown"
 FIGURES = "test_columns:test_figures_are_in_the_units_of_their_axes"
 
 FAULTS = [
@@ -478,5 +481,68 @@ FAULTS = [
         "np.arctan2(right, ahead)",
         "np.arctan2(-right, ahead)",
         FIGURES,
+    ),
+    Fault(
+        "degrees of a file read as rad",
+        "physics.checked",
+        "return radians(value) if",
+        "return value if",
+        LIMITS,
+    ),
+    Fault(
+        "α of a recording read as rad",
+        "recording.track",
+        "Air(radians(alpha), radians(beta), speed)",
+        "Air(alpha, radians(beta), speed)",
+        READ,
+    ),
+    Fault(
+        "lines drawn as at the start of their tick",
+        "recording.track",
+        "self._control(row, 1.0 if self._ticks[row] else 0.0)",
+        "self._control(row, 0.0)",
+        READ,
+    ),
+    Fault(
+        "the place of a touch told in rad",
+        "pilots.crash",
+        "round(abs(degrees(self.azimuth)))",
+        "round(abs(self.azimuth))",
+        TOUCH,
+    ),
+    Fault(
+        "names of the tensions exchanged",
+        "drawing.tensions",
+        'names = ("left", "right",',
+        'names = ("right", "left",',
+        PANELS,
+    ),
+    Fault(
+        "lateness told in seconds",
+        "drawing.strip_chart",
+        "late {1e3 * lateness:.1f}",
+        "late {lateness:.1f}",
+        PANELS,
+    ),
+    Fault(
+        "an arrow against the wind",
+        "drawing.scene",
+        "return tail, plus(tail, times(1.2 * span, wind))",
+        "return tail, plus(tail, times(-1.2 * span, wind))",
+        ARROW,
+    ),
+    Fault(
+        "a slack line that hangs by too little",
+        "drawing.scene",
+        "sqrt(max(0.375 * distance * (length - distance), 0.0))",
+        "sqrt(max(0.0375 * distance * (length - distance), 0.0))",
+        ARROW,
+    ),
+    Fault(
+        "bars that grow with the tension",
+        "drawing.tensions",
+        "sqrt(max(tension, 0.0) / self.full)",
+        "max(tension, 0.0) / self.full",
+        BARS,
     ),
 ]

@@ -3,7 +3,9 @@
 The pilot at the origin looks downwind, along -x_E; +y_E is on the left, z_E points down.
 """
 
+from itertools import pairwise
 from math import atan2, cos, degrees, pi, radians, sin, sqrt, tan
+from types import SimpleNamespace
 from typing import Any
 from unittest.mock import patch
 
@@ -14,10 +16,11 @@ import pytest
 from kitemj.drawing import instruments, knob, tensions
 from kitemj.drawing.history import Rolling, Traces, twist_angle
 from kitemj.drawing.readings import Readings
+from kitemj.drawing.scene import Scene, hanging
 from kitemj.drawing.views import CAMERAS, Orbit, downwind, looking, orbiting, pixel
 from kitemj.drawing.wind_window import FOOT, RADIUS, WindWindow, bearing
 from kitemj.physics.steering import Control
-from kitemj.physics.vectors import Rotation, Vector, cross
+from kitemj.physics.vectors import Rotation, Vector, cross, minus, norm, times
 from kitemj.physics.wind import Wind
 from kitemj.pilots.crash import touch_at
 from kitemj.pilots.sight import sight
@@ -95,6 +98,20 @@ def test_views_show_what_is_left_on_the_left():
     for view in ("pilot", "side", "chase"):
         low, high = Vector(-80.0, -60.0, -10.0), Vector(-80.0, -60.0, -90.0)
         assert seen_at(view, high)[1] < seen_at(view, low)[1], view
+
+
+def test_the_arrow_of_the_wind_and_a_slack_line():
+    """Along (-0.8, -0.6, 0); and 113 m of line to a kite that is 112 m away hang by that metre."""
+    kite = motion(Vector(-80.0, -60.0, -100.0))
+    painter: Any = SimpleNamespace(parameters=BESIDE)
+    for close in (True, False):
+        tail, tip = Scene.wind_arrow(painter, kite, close)
+        along = minus(tip, tail)
+        assert times(1 / norm(along), along) == pytest.approx((-0.8, -0.6, 0.0))
+    points = hanging(Vector(-100.0, 0.0, -50.0), 113.0)
+    shown = sum(norm(minus(b, a)) for a, b in pairwise(points))
+    assert shown == pytest.approx(113.0, abs=0.1), "m: a parabola for a catenary"
+    assert all(p.z >= -50.0 * share for p, share in zip(points, np.linspace(0, 1, 17), strict=True))
 
 
 def test_an_orbit_is_a_sphere_about_the_kite():
@@ -182,6 +199,8 @@ def test_panels_say_the_numbers_in_the_units_that_they_name():
     assert words[3] == "2.5 µm"
     traces = Traces(np.empty((0, 3)), -4 * pi, np.full(250, np.nan), np.full(250, np.nan))
     assert words_of(now, Readings(traces=traces), "model")[-1] == "2 left"
+    words = words_of(now, Readings(missed_ticks=3, lateness=0.0125), "chart")
+    assert {"3", "late 12.5", "10 ms"} <= set(words)
     words = words_of(now, Readings(), "lines")
     assert {"25.5 N", "250 N", "left", "right"} <= set(words)
     assert words.index("25.5 N") < words.index("right"), "the first line is the left one"
@@ -221,6 +240,7 @@ def test_a_touch_is_a_thrown_body():
     # v + ω x r of r = (0.75, 2.9, 0.05): (-3 + 0.05, 0, 4 - 0.75)
     assert touch.speed == pytest.approx(sqrt(2.95**2 + 3.25**2))
     assert touch.sinking == pytest.approx(3.25)
+    assert touch.place == "47 m away, 52° to the right"
     aside = touch_at(BESIDE, now._replace(body=now.body._replace(v_G_E=ZERO, omega_B=ZERO)))
     place = (-30.75 + 1.5, -37.1)  # of the corner, as above
     right, forth = 0.6 * place[0] - 0.8 * place[1], -0.8 * place[0] - 0.6 * place[1]
@@ -230,9 +250,10 @@ def test_a_touch_is_a_thrown_body():
 
 
 def test_bars_of_tensions_show_half_at_a_quarter():
-    Written.words, Written.bars = [], []
-    panel = Written(pygame.Surface((400, 200)), (0.0, 0.0, 400.0, 118.0), 1.0)
-    now = motion(Vector(-30.0, 0.0, -40.0), tensions=(150.0, 600.0))  # of 600 N
-    tensions.paint_tensions(panel, LAKSA, now, 0)
-    wide = [width for _, width in Written.bars if width > 2]
-    assert wide == pytest.approx([tensions.ROOM, tensions.ROOM / 2, tensions.ROOM, tensions.ROOM])
+    """As the square root; the paper's kite rests at 43.7845 N a line, and may pull 600 N."""
+    scale = tensions.scale_of(LAKSA)
+    assert scale == pytest.approx((43.7845, 600.0), abs=5e-5)
+    shares = [scale.share(pull) for pull in (150.0, 600.0, 0.0, 601.0, -9.0)]
+    assert shares == [0.5, 1.0, 0.0, 1.0, 0.0]
+    light = LAKSA._replace(limits=LAKSA.limits._replace(tension_max=1e6))
+    assert tensions.scale_of(light).full == pytest.approx(25 * 43.7845, abs=25 * 5e-5)

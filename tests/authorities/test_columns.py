@@ -1,6 +1,7 @@
 """Columns of tables, and curves of figures, at numbers that are written down here."""
 
 from math import atan2, degrees, pi, radians
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +15,7 @@ from kitemj.plots.flight import flight_of_motions
 from kitemj.plots.series import angles_figure, ell_and_delta, steering_figure
 from kitemj.plots.window import bearing
 from kitemj.recording.table import Tick, limit_numbers, table
-from kitemj.recording.track import between
+from kitemj.recording.track import Track, between
 from tests.authorities.by_hand import motion, rolled
 from tests.support import LAKSA
 
@@ -59,6 +60,30 @@ def test_every_column_holds_what_its_name_says():
     found = recorded()
     for name, value in COLUMNS.items():
         assert float(found[name][0]) == pytest.approx(value), name
+
+
+class OneRow:
+    """As much of a recording as a track reads."""
+
+    parameters, header = LAKSA, SimpleNamespace(tick=0.01)
+
+    def __init__(self, columns):
+        self.columns = columns
+
+    def __len__(self):
+        return 1
+
+
+def test_what_is_read_from_columns_is_what_was_flown():
+    """And the lines at the tick's end: 1 + 2·0.01 + 3·0.01²/2 and 4 + 5·0.01 + 6·0.01²/2."""
+    found = Track(OneRow(recorded())).motion(0.0)
+    assert found.t == NOW.t
+    for part in ("p_G_E", "v_G_E", "omega_B"):
+        assert getattr(found.body, part) == pytest.approx(getattr(NOW.body, part))
+    assert np.array(found.body.R_BE) == pytest.approx(np.array(NUMBERED))
+    assert found.air == pytest.approx((radians(12.5), radians(-7.5), 9.0))
+    assert (found.tensions, found.lengths) == ((70.0, 80.0), (198.0, 202.0))
+    assert (found.control.ell, found.control.delta) == pytest.approx((1.02015, 4.0503))
 
 
 def test_limits_of_columns_are_those_of_the_file():

@@ -19,6 +19,7 @@ from kitemj.recording.file import read_recording
 from kitemj.recording.live import FlightSetup
 from tests.controls.virtual_pad import VirtualPad
 
+pytestmark = pytest.mark.alone
 SIZE = (640, 360)
 QUICK = {"delta": 0.4, "delta_dot": 0.5, "delta_ddot": 2.0, "mirrored": False}
 SCENARIO = scenario_of({"set": "thesis", "duration": 60.0, "stick": QUICK}, "test")

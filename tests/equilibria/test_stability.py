@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
+from kitemj.cli import main
 from kitemj.dynamics.formulation import MODELS
 from kitemj.equilibria.linearise import (
     INPUTS,
@@ -300,3 +301,29 @@ def test_a_result_cannot_be_changed() -> None:
     with pytest.raises(AttributeError):
         found.V_ref = 1.0  # type: ignore[misc]
     assert replace(found, V_ref=None).V_ref is None
+
+
+def test_a_sentence_says_what_the_table_says() -> None:
+    """The time to half or double is ln 2 of the table's time constant, here of laksa's modes."""
+    stable = stability(LAKSA)
+    assert stable.modes[0].time_constant * np.log(2) == pytest.approx(10.4, abs=0.05)
+    assert stable.in_words == "stable; slowest: sideways, halved in 10 s"
+    unstable = stability(with_value(LAKSA, "aero.Cl_beta", -0.6))
+    swing, time = 1 / unstable.modes[0].frequency, unstable.modes[0].time_constant * np.log(2)
+    assert (swing, time) == (pytest.approx(8.0, abs=0.05), pytest.approx(4.1, abs=0.05))
+    told = "unstable: swinging sideways, 8 s a swing, doubled in 4.1 s"
+    assert unstable.in_words == told
+    first = unstable.modes[0]
+    both = replace(unstable, modes=[first, first])
+    assert both.in_words == f"{told}; others that grow: 1"
+    for real in (-1e-12, 0.0, 1e-12):
+        border = replace(stable, modes=[stable.modes[0]._replace(real=real, error=1e-11)])
+        assert border.in_words.startswith("on the border of stability: sideways")
+
+
+@pytest.mark.parametrize("command", ["trim", "stability"])
+def test_commands_end_in_that_sentence(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([command, "rest_200m"]) == 0
+    last = capsys.readouterr().out.splitlines()[-1]
+    where = "at elevation 67.1°, 186 m high: " if command == "trim" else ""
+    assert last == f"{where}stable; slowest: sideways, halved in 10 s"

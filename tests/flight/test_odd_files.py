@@ -65,7 +65,7 @@ def test_a_steering_table_moves_at_the_pace_of_hands():
 
 
 def test_rows_are_bounded():
-    with pytest.raises(InputError, match=r"too many rows of 1000 s .*one every 0\.001 s"):
+    with pytest.raises(InputError, match=r"too many rows of 1000 s .*one every 0\.002 s"):
         scenario_of({"duration": 1000.0, "output_interval": 1e-6}, "s.toml")
 
 

@@ -1,5 +1,6 @@
 """The same flight out of every kind of file; what holds none is refused in a sentence."""
 
+import errno
 import json
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 from pyarrow import parquet
 
 from kitemj.errors import InputError
+from kitemj.files import NewFile
 from kitemj.flight.motion_table import COLUMNS, write_csv
 from kitemj.flight.scenario import scenario_of
 from kitemj.flight.simulate import simulate
@@ -136,6 +138,23 @@ def test_nothing_told_of_a_table_is_written_over_unasked(tmp_path):
     assert [file.name for file in tmp_path.iterdir()] == ["flight.csv-metadata.json"]
     write_csv(path, simulation(), overwrite=True)
     assert not read_flight(path).notes
+
+
+def test_a_table_and_what_is_told_of_it_are_there_both_or_none(tmp_path, monkeypatch):
+    keep = NewFile.keep
+
+    def refused(new):
+        if new.path.suffix == ".json":
+            raise OSError(errno.ENOSPC, "No space left on device", str(new.path))
+        keep(new)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(NewFile, "keep", refused)
+        with pytest.raises(OSError, match="No space left"):
+            write_csv(tmp_path / "flight.csv", simulation())
+        assert list(tmp_path.iterdir()) == []
+    write_csv(tmp_path / "flight.csv", simulation())
+    assert len(list(tmp_path.iterdir())) == 2
 
 
 def test_a_kite_of_no_set_must_be_named(tmp_path):

@@ -18,6 +18,7 @@ from kitemj.recording.file import read_recording
 from kitemj.recording.live import FlightSetup
 from kitemj.recording.replay import replay
 
+pytestmark = pytest.mark.alone
 SCENARIO = scenario_of({"set": "sport", "duration": 60.0}, "test")
 PATIENCE = 30.0
 """s; for what takes milliseconds on a machine that has nothing else to do."""

@@ -8,10 +8,12 @@ import pytest
 
 from kitemj.errors import InputError
 from kitemj.flight.live import Command
+from kitemj.plots.sources import read_flight
 from kitemj.recording import recorder
-from kitemj.recording.checksum import END, ZEROS, sealed, sound_part
+from kitemj.recording.checksum import END, MARK, ZEROS, sealed, sound_part
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
+from kitemj.recording.summary import comparison
 from tests.recording.flights import SPORT, live_flight, recorded, restless
 
 OLD = Path(__file__).with_name("format_2.arrows")
@@ -42,6 +44,15 @@ def test_every_flipped_bit_is_noticed(data):
         assert sound.size <= place
 
 
+def test_damage_before_the_last_batch_of_a_killed_writer_is_no_cut(data):
+    killed = data[: -len(END)]
+    last = killed.rfind(b"\xff\xff\xff\xff", 0, killed.rfind(MARK))
+    for place in range(last - 40_000, last, 7):
+        flipped = bytearray(killed)
+        flipped[place] ^= 0x40
+        assert sound_part(bytes(flipped)).damaged
+
+
 def test_damage_says_from_when_on_and_what_can_be_kept(data, tmp_path):
     path, kept = tmp_path / "kite.arrows", tmp_path / "kept.arrows"
     flipped = bytearray(data)
@@ -54,7 +65,10 @@ def test_damage_says_from_when_on_and_what_can_be_kept(data, tmp_path):
     assert f"after {part.columns['t_s'][-1]:.2f} s, row {len(part)}: " in str(told.value)
     assert f"(head -c {kept.stat().st_size})" in str(told.value)
     assert part.ending == ""
-    assert replay(part, "mujoco").identical
+    again = replay(part, "mujoco")
+    assert again.identical
+    assert "recorded end unknown: the file breaks off" in comparison(again)
+    assert read_flight(kept).notes[0].startswith("kept.arrows breaks off")
     path.write_bytes(bytes([data[0] ^ 1]) + data[1:])
     with pytest.raises(InputError, match="is not a recording of kitemj, or was cut off or damaged"):
         read_recording(path)

@@ -96,6 +96,7 @@ def test_first_departure_has_its_moment_and_reason(tmp_path):
     assert "left the limits of validity at" in summary(recording)
 
 
+@pytest.mark.alone
 def test_kill_9_costs_less_than_a_second_and_leaves_no_lock(tmp_path):
     file = tmp_path / "kite.arrows"
     command = [sys.executable, "-m", "tests.recording.flights", str(file)]
@@ -178,6 +179,7 @@ class Paced:
         self.flight.close("over")
 
 
+@pytest.mark.alone
 def test_full_disk_is_said_and_nothing_before_is_lost(tmp_path, monkeypatch):
     room = [60_000]
     monkeypatch.setattr(recording_module, "os", Disk(full_disk(room)))
@@ -194,8 +196,18 @@ def test_full_disk_is_said_and_nothing_before_is_lost(tmp_path, monkeypatch):
     assert paced.news[-1].problem == ""
     paced.stop()
     assert len(read_recording(tmp_path / "kite.arrows")) == paced.times.ticks + 1
+    assert not paced.flight.cut
 
 
+def test_a_recording_that_stays_cut_is_told_of(tmp_path, monkeypatch):
+    monkeypatch.setattr(recording_module, "os", Disk(full_disk([20_000])))
+    with live_flight(record=tmp_path / "kite.arrows") as flight:
+        for _ in range(50):
+            flight.tick(Command())
+    assert flight.cut
+
+
+@pytest.mark.alone
 def test_slow_disk_makes_no_tick_late(tmp_path, monkeypatch):
     """Each write takes longer than a batch; the flight is as punctual as its machine lets it."""
 

@@ -1,6 +1,7 @@
 """Flights by the thousand, in small: none lost, none twice, the same on any executor."""
 
 import errno
+import gc
 import json
 import os
 from concurrent.futures import BrokenExecutor, Future
@@ -14,12 +15,14 @@ from kitemj.errors import InputError
 from kitemj.flight.compare import compare
 from kitemj.flight.scenario import scenario_of
 from kitemj.flight.simulate import simulate
+from kitemj.metadata import about_columns
 from kitemj.studies import executors
+from kitemj.studies import sweep as sweeping
 from kitemj.studies.executors import dask_executor, local_executor
 from kitemj.studies.flights import fly, fly_all
 from kitemj.studies.journal import Journal
 from kitemj.studies.study import read_study
-from kitemj.studies.sweep import StudyStopped, sweep
+from kitemj.studies.sweep import StudyStopped, sweep, tried_together
 
 STUDY = """
 reference = "newton-euler"
@@ -169,6 +172,99 @@ def test_a_line_cut_short_is_flown_again(study, plain, tmp_path):
     assert sorted(kept + executor.flown) == list(range(FLIGHTS))
 
 
+DAMAGED = (
+    *(bytes(512) + b"\n", b"what is this?\n", b"\n", b'{"flight": -1}\n', b'{"flight": 3}\n'),
+    *(b'{"flight": 99, "ending": "finished"}\n', b"[" * 100_000 + b"\n", b"\xff\xfe\n"),
+    b'{"flight": 3, "ending": "finished"} 00000000\n',
+)
+
+
+def test_a_damaged_line_is_passed_over_and_its_flight_flown_again(study, plain, tmp_path):
+    table, executor, count = tmp_path / "b.parquet", HereExecutor(), len(DAMAGED) + 1
+    with Journal(table, study) as journal:
+        sweep(journal, HereExecutor(), SMALL_COST)
+    first, *lines = journal.path.read_bytes().splitlines(keepends=True)
+    changed = lines[0].replace(b'"flight": ', b'"flight": 1')
+    journal.path.write_bytes(b"".join([first, *DAMAGED, changed, *lines[count:], lines[-1]]))
+    with Journal(table, study) as again:
+        assert (again.count, again.damaged) == (FLIGHTS - count, count)
+    assert flown(study, table, executor) == plain
+    assert len(executor.flown) == count
+
+
+@pytest.mark.parametrize("content", [b"my notes\n", b"my notes", bytes(600), b"\x89PNG\r\n"])
+def test_what_is_no_journal_is_a_persons_own(study, tmp_path, content):
+    path = tmp_path / "b.parquet.journal"
+    path.write_bytes(content)
+    for anew in (False, True):
+        with (
+            pytest.raises(InputError, match="not a journal"),
+            Journal(path.with_suffix(""), study, anew),
+        ):
+            pass
+        assert path.read_bytes() == content
+
+
+def test_a_link_in_the_journals_place_is_not_followed(study, tmp_path):
+    (tmp_path / "mine").touch()
+    (tmp_path / "b.parquet.journal").symlink_to("mine")
+    with pytest.raises(InputError, match="not a journal"), Journal(tmp_path / "b.parquet", study):
+        pass
+    assert (tmp_path / "mine").read_bytes() == b""
+
+
+def test_a_study_begun_anew_waits_for_nobody_and_takes_from_nobody(study, tmp_path):
+    table = tmp_path / "b.parquet"
+    row = fly(study.base, 0, study.design.point(0))
+    with Journal(table, study) as first:
+        first.add([row])
+        with pytest.raises(InputError, match="another command is writing"):
+            Journal(table, study, anew=True).__enter__()
+        assert first.path.stat().st_size > 100
+    with Journal(table, study, anew=True) as anew:
+        assert anew.count == 0
+    assert not anew.path.exists()
+
+
+def test_a_disk_that_ends_keeps_the_flights_before(study, tmp_path, monkeypatch):
+    rows = [fly(study.base, i, study.design.point(i)) for i in (0, 1)]
+    write, room = os.write, iter([20])
+
+    def full(file, data):
+        for part in room:
+            return write(file, data[:part])
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    with Journal(tmp_path / "b.parquet", study) as journal:
+        journal.add(rows[:1])
+        size = journal.path.stat().st_size
+        monkeypatch.setattr(os, "write", full)
+        with pytest.raises(OSError, match="No space left") as refused:
+            journal.add(rows[1:])
+        monkeypatch.undo()
+    assert refused.value.filename == str(journal.path)
+    assert (journal.count, journal.path.stat().st_size) == (1, size)
+    with Journal(tmp_path / "b.parquet", study) as again:
+        assert (again.count, again.damaged) == (1, 0)
+
+
+def test_the_announced_time_is_of_workers_that_are_warm(study, tmp_path, monkeypatch):
+    """The first flight of each worker takes long; what is announced does not count it."""
+    clock = [0.0]
+
+    class Slow(HereExecutor):
+        workers = 2
+
+        def submit(self, base, flights):
+            clock[0] += 10.0 if len(self.flown) < self.workers else 0.5  # s
+            return super().submit(base, flights)
+
+    monkeypatch.setattr(sweeping, "perf_counter", lambda: clock[0])
+    with Journal(tmp_path / "b.parquet", study) as journal:
+        assert tried_together(journal, Slow()) == 0.5 * Slow.workers
+        assert journal.count == 3 * Slow.workers
+
+
 def test_a_flight_that_ends_its_process_is_found_and_named(study, plain, tmp_path):
     executor = HereExecutor(deadly=[7])
     rows = flown(study, tmp_path / "b.parquet", executor)
@@ -218,6 +314,9 @@ def test_the_command_flies_a_study_once(tmp_path, capsys):
     assert swept(tmp_path, SHORT, "--processes", "1") == 0
     assert "3 flights" in capsys.readouterr().out
     assert not (tmp_path / "b.parquet.journal").exists()
+    told = about_columns(pq.read_schema(tmp_path / "b.parquet").metadata)
+    assert told["holds"] == "flights of a study"
+    assert told["scenario"] == {"set": "laksa", "duration": 0.2}
     assert swept(tmp_path, SHORT) == 0
     assert "is complete" in capsys.readouterr().out
     assert swept(tmp_path, SHORT.replace("8.0", "9.0")) == 2
@@ -269,10 +368,17 @@ def test_bad_studies_are_a_sentence_each(tmp_path, capsys, old, new, says):
 
 
 def test_a_scheduler_that_does_not_answer_is_a_sentence(tmp_path, monkeypatch, capsys):
-    pytest.importorskip("distributed")
+    client = pytest.importorskip("distributed").Client
     monkeypatch.setattr(executors, "PATIENCE", 1)
-    assert swept(tmp_path, SHORT, "--scheduler", "tcp://127.0.0.1:9") == 2
-    assert "no Dask scheduler answers at tcp://127.0.0.1:9" in capsys.readouterr().err
+    for address in ("tcp://127.0.0.1:9", "nonsense", "tls://127.0.0.1:9", "http://127.0.0.1:9"):
+        assert swept(tmp_path, SHORT, "--scheduler", address) == 2
+        said = capsys.readouterr().err
+        assert f"no Dask scheduler answers at {address}" in said
+        assert said.count("\n") == 1
+    assert [file.name for file in tmp_path.iterdir()] == ["study.toml"]
+    clients = [each for each in gc.get_objects() if type(each) is client]
+    # one that is half there cries when the program ends
+    assert [each for each in clients if each.status != "closed"] == []
 
 
 def test_rows_keep_every_digit_on_their_way_through_the_journal(study):
