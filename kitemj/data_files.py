@@ -29,7 +29,7 @@ def shipped_or_file(name: str | Path, folder: str, beside: Path = Path()) -> Pat
     with or without folder and suffix. Raises InputError with those that ship for no file.
     """
     path = Path(name)
-    if not path.name or "\0" in str(path):
+    if not path.name:
         raise InputError(f"a file needs a name, got {str(name)!r}")
     try:
         if (beside / path).exists():

@@ -5,6 +5,7 @@ is completed all the same, and nothing is left behind.
 """
 
 import signal
+import sys
 from _thread import interrupt_main
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -16,6 +17,8 @@ from kitemj.console import complain
 
 ENDING = tuple(getattr(signal, n) for n in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, n))
 """Those that ask a program to end."""
+RESULTS = ("numba.core.serialize", "namedtuple_")
+"""Modules in which compiled code makes its result, where numba does not survive an exception."""
 
 
 class _Received:
@@ -61,8 +64,28 @@ def _receive(number: int, frame: FrameType | None) -> None:
     _Received.first = _Received.first or number
     if _Received.held:
         _Received.due = True
+    elif frame and frame.f_back and _makes_result(frame):
+        while frame.f_back and _makes_result(frame):
+            frame = frame.f_back
+        _interrupt_in(frame)
     else:
         raise KeyboardInterrupt
+
+
+def _makes_result(frame: FrameType) -> bool:
+    return str(frame.f_globals.get("__name__")).startswith(RESULTS)
+
+
+def _interrupt_in(frame: FrameType) -> None:
+    """Interrupts `frame` where it goes on."""
+    before = sys.gettrace()
+
+    def raising(*event: object) -> None:
+        sys.settrace(before)
+        raise KeyboardInterrupt
+
+    sys.settrace(before or (lambda *event: None))
+    frame.f_trace = raising
 
 
 def interrupt() -> None:

@@ -51,7 +51,7 @@ FORMULATIONS = {
     "newton-euler": {"newton_euler", "newton_euler_kite"},
     "mujoco": {"mujoco_kite", "engine", "taut", "slack"},
 }
-SHARED = {"motion", "formulation", "straight", "adaptive", "batch", "__init__"}
+SHARED = {"motion", "formulation", "ground", "straight", "adaptive", "batch", "__init__"}
 """Files of dynamics that any formulation may import."""
 
 LARGEST_ROOM = 3000

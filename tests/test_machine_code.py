@@ -197,6 +197,12 @@ def test_another_users_folder_is_not_used(fresh, tmp_path, monkeypatch, capsys):
     assert f"{usual} cannot be used (it belongs to another user)" in capsys.readouterr().err
 
 
+def test_a_private_folder_that_is_gone_stays_gone(fresh, tmp_path, monkeypatch):
+    monkeypatch.setenv(INHERITED, str(tmp_path / "gone"))
+    assert fresh().parent == tmp_path / "kitemj"
+    assert not (tmp_path / "gone").exists()
+
+
 def test_without_any_folder_formulas_still_compile(fresh, tmp_path, monkeypatch):
     (tmp_path / "kitemj").write_text("in its place")
     (tmp_path / "temporary").rmdir()

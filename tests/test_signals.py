@@ -110,6 +110,32 @@ def test_an_interrupt_while_something_is_thrown_away_is_not_lost() -> None:
     assert main() == 143
 
 
+INTERRUPTED = """
+import os, signal, sys, threading
+from thesis.forced_response import ForcedLagrange, SineSteering, trimmed
+from kitemj.physics.parameter_files import parameter_set
+from kitemj.signals import orderly
+@orderly
+def main(words):
+    parameters, swing = parameter_set("thesis"), SineSteering(0.05, 1.0)
+    kite, x = ForcedLagrange(parameters, swing), trimmed(parameters)[0]
+    kite.flow(x, None, swing.period, 200)
+    threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGTERM)).start()
+    while True:
+        kite.flow(x, None, swing.period, 5000)
+sys.exit(main())
+"""
+
+
+def test_a_signal_during_compiled_code_is_as_any_other() -> None:
+    """There Python code runs first where a named tuple is made of the result."""
+    paths = f"{ROOT}{os.pathsep}{ROOT / 'scripts'}"
+    done = subprocess.run(
+        [sys.executable, "-c", INTERRUPTED], env=os.environ | {"PYTHONPATH": paths}, timeout=120
+    )
+    assert done.returncode == 128 + signal.SIGTERM
+
+
 def killed(script: str, folder: Path) -> str:
     """What a program says that kills itself."""
     path = folder.parent / "killed.py"

@@ -9,6 +9,7 @@ import tomlkit
 from platformdirs import user_config_path
 
 from kitemj.controls.pad_layout import Layout, layout_of, table_of
+from kitemj.data_files import read_text
 from kitemj.errors import InputError
 from kitemj.files import new_file
 from kitemj.physics.checked import check_keys, checked
@@ -115,7 +116,7 @@ def write_layout(path: Path, guid: str, layout: Layout, overwrite: bool = False)
     check_writable(path, overwrite)
     try:
         read_settings(path)
-        text = path.read_text(encoding="utf-8") if path.exists() else NEW_FILE
+        text = read_text(path) if path.exists() else NEW_FILE
     except InputError:
         text = NEW_FILE
     document = tomlkit.parse(text)

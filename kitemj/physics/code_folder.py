@@ -35,9 +35,9 @@ def code_folder() -> Path | None:
     processes that are started from here share, and which goes when this one ends.
     """
     name = f"compiled-{formula_hash()}"
-    inherited = os.environ.get(INHERITED)
-    if inherited and not _trouble(Path(inherited) / name):
-        return Path(inherited) / name
+    inherited = Path(os.environ.get(INHERITED) or "nowhere")
+    if inherited.is_absolute() and inherited.is_dir() and not _trouble(inherited / name):
+        return inherited / name
     usual = user_cache_path("kitemj") / name
     if not (why := _trouble(usual)):
         return usual

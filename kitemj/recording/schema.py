@@ -13,6 +13,8 @@ HEADER_KEY = b"kitemj"
 """Under which the header stands in the schema's metadata, as JSON."""
 SOMETIMES = (*REFERENCE, "gap_m")
 """Columns that are not a number where there is no reference."""
+BEYOND = 1e9
+"""In any unit; a flight that comes near has diverged long before."""
 ROUNDING = 1e-6
 """Of t_s [s], and of the products of the axes in R_BE, which models keep to 1e-9 or better."""
 
@@ -43,13 +45,14 @@ def checked_columns(table: pa.Table, header: Header, rig: Rig, source: str) -> C
             )
         column = table[name]
         numbers = column.to_numpy()
-        gaps = np.zeros(len(numbers), np.bool_)
-        if column.null_count:
-            gaps = column.is_null().to_numpy()
-        elif kind == pa.float64() and name not in SOMETIMES:
-            gaps = ~np.isfinite(numbers)
-        if gaps.any():
-            raise InputError(f"{source} is damaged: no number in {name}, row {_first(gaps)}")
+        wrong = column.is_null().to_numpy()
+        if kind == pa.float64() and not column.null_count:
+            wrong = ~(np.abs(numbers) < BEYOND)
+            wrong &= ~np.isnan(numbers) | (name not in SOMETIMES)
+        if wrong.any():
+            raise InputError(
+                f"{source} is damaged: {name} in row {_first(wrong)} is no number that a flight has"
+            )
         columns[name] = numbers
     _check_places(columns, header, source)
     _check_motions(columns, header, source)
@@ -65,8 +68,8 @@ def _check_places(columns: Columns, header: Header, source: str) -> None:
     if wrong.any():
         row = _first(wrong)
         raise InputError(
-            f"{source} is damaged: row {row}, tick {tick[row - 1]} of flight {leg[row - 1] + 1}, "
-            f"does not follow the row before"
+            f"{source} is damaged: row {row}, leg {leg[row - 1]}, tick {tick[row - 1]}, does not "
+            f"follow the row before"
         )
     wrong = (start < 0) | (start >= len(header.starts))
     if wrong.any():
@@ -96,18 +99,26 @@ def _check_places(columns: Columns, header: Header, source: str) -> None:
 
 def _check_motions(columns: Columns, header: Header, source: str) -> None:
     """Raises InputError for rows that no flight can have."""
-    R = np.stack([columns[name] for name in ATTITUDE], axis=1).reshape(-1, 3, 3)
-    with np.errstate(over="ignore", invalid="ignore"):
+    reference = np.isfinite([columns[name] for name in REFERENCE])
+    followed = reference.any(axis=0)
+    with np.errstate(over="ignore"):
         late = np.abs(columns["t_s"] - header.tick * columns["tick"])
-        apart = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2))
     laws = ", ".join(str(int(law)) for law in StickLaw)
     for right, what in (
         (late < ROUNDING, f"t_s is not that of its tick of {1e3 * header.tick:g} ms"),
         (np.isin(columns["stick_law"], list(StickLaw)), f"stick_law is none of {laws}"),
-        (apart < ROUNDING, "R_BE is no rotation"),
+        (_are_rotations(columns, ATTITUDE), "R_BE is no rotation"),
+        (followed == reference.all(axis=0), "half a reference stands"),
+        (_are_rotations(columns, REFERENCE[3:]) | ~followed, "ref_R_BE is no rotation"),
     ):
         if not right.all():
             raise InputError(f"{source} is damaged: in row {_first(~right)} {what}")
+
+
+def _are_rotations(columns: Columns, names: tuple[str, ...]) -> np.typing.NDArray[np.bool_]:
+    R = np.stack([columns[name] for name in names], axis=1).reshape(-1, 3, 3)
+    apart = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(axis=(1, 2))
+    return np.asarray(apart < ROUNDING)
 
 
 def _first(rows: np.typing.NDArray[np.bool_]) -> int:

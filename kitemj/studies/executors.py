@@ -21,6 +21,8 @@ PATIENCE = 10
 
 SHORT = 5.0
 """s of work, for which it takes longer to start processes (some 3 s) and fly there."""
+MOST_PROCESSES = 1024
+"""Of one machine; each takes some 200 MB."""
 
 
 class StudyExecutor:
@@ -81,8 +83,8 @@ def _prepare() -> None:
 def local_executor(processes: int | None = None) -> Iterator[StudyExecutor]:
     """A process for each core that this one may use, unless `processes` says otherwise."""
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    if processes is not None and processes < 1:
-        raise InputError(f"`processes` must be >= 1, got {processes}")
+    if processes is not None and not 1 <= processes <= MOST_PROCESSES:
+        raise InputError(f"`processes` must be >= 1 and <= {MOST_PROCESSES}, got {processes}")
     try:
         executor = LocalExecutor(processes or cores or 1)
     except OSError as error:

@@ -31,6 +31,7 @@ scenario = {SCENARIO!r}
 INPUTS = ("study.toml", "flown.arrows")
 SMALL = ("--size", "320x180")
 FLY = ("fly", "--headless", "--film", "a.mp4", "--record", "a.arrows", "--duration", "3", *SMALL)
+TABLE = ("a.csv", "a.csv-metadata.json")
 SWEEP = ("sweep", "study.toml", "--output", "a.parquet", "--processes", "2")
 
 
@@ -43,17 +44,17 @@ class Command(NamedTuple):
 
 
 COMMANDS = (
-    Command(("simulate", SCENARIO, "--output", "a.csv"), 1.5, ("a.csv",)),
+    Command(("simulate", SCENARIO, "--output", "a.csv"), 1.5, TABLE),
     Command(("compare", SCENARIO, "--markdown", "a.md"), 6.0, ("a.md",)),
     Command(("film", SCENARIO, "--output", "a.mp4", *SMALL), 4.0, ("a.mp4",)),
     Command(("film", SCENARIO, "--still", "1", "--output", "a.png"), 4.0, ("a.png",)),
     Command(FLY, 3.5, ("a.mp4", "a.arrows")),
     Command(("realtime", "--headless", "--duration", "2", *SMALL), 6.0),
-    Command(("replay", "flown.arrows", "--export", "csv", "--output", "a.csv"), 1.2, ("a.csv",)),
+    Command(("replay", "flown.arrows", "--export", "csv", "--output", "a.csv"), 1.2, TABLE),
     Command(("replay", "flown.arrows", "--model", "lagrange", "--headless"), 1.6),
     Command(("info", "flown.arrows"), 1.2),
     Command(("plot", "flown.arrows", "--save", "a.pdf"), 4.5, ("a.pdf",)),
-    Command(("limits", "flown.arrows", "--output", "a.csv"), 1.2, ("a.csv",)),
+    Command(("limits", "flown.arrows", "--output", "a.csv"), 1.2, TABLE),
     Command(("trim", SCENARIO, "--save", "a.pdf"), 3.0, ("a.pdf",)),
     Command(("stability", SCENARIO, "--save", "a.pdf"), 3.0, ("a.pdf",)),
     Command(SWEEP, 4.0, ("a.parquet", "a.parquet.journal")),

@@ -545,4 +545,18 @@ FAULTS = [
         "max(tension, 0.0) / self.full",
         BARS,
     ),
+    Fault(
+        "reeling as fast as δ may be",
+        "physics.shaping",
+        "wish.max_velocity = [fastest, reel]",
+        "wish.max_velocity = [fastest, limits.delta_dot]",
+        QUICKEST,
+    ),
+    Fault(
+        "the airspeed in km/h",
+        "drawing.instruments",
+        'f"{motion.air.speed:.1f} m/s"',
+        'f"{3.6 * motion.air.speed:.1f} m/s"',
+        PANELS,
+    ),
 ]

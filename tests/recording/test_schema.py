@@ -78,23 +78,28 @@ def test_columns_of_wrong_types_and_numbers(table, refusal):
     told = refusal(with_column(table, "tick", tick.astype(str)))
     assert "its column tick holds string, where int32 must be" in told
     assert "holds int64, where int32" in refusal(with_column(table, "tick", tick.astype(np.int64)))
-    broken = np.where(np.arange(len(x)) == 6, np.nan, x)
-    assert "no number in x_E_m, row 7" in refusal(with_column(table, "x_E_m", broken))
+    says = "x_E_m in row 7 is no number that a flight has"
+    for number in (np.nan, np.inf, 1e308):
+        broken = np.where(np.arange(len(x)) == 6, number, x)
+        assert says in refusal(with_column(table, "x_E_m", broken))
     gaps = pa.array(np.append(tick[:-1], 0).astype(np.int32), mask=np.arange(len(tick)) == 3)
-    assert "no number in tick, row 4" in refusal(with_column(table, "tick", gaps))
+    assert "tick in row 4 is no number" in refusal(with_column(table, "tick", gaps))
     twice = table.append_column(table.schema.field("tick"), table["tick"])
     assert "two columns tick" in refusal(twice)
     assert "lacks the column ell_m" in refusal(table.drop_columns(["ell_m"]))
     laws = np.where(tick == 2, 7.0, 0.0)
     assert "row 3 stick_law is none of 0, 1, 2" in refusal(with_column(table, "stick_law", laws))
     assert "row 1 R_BE is no rotation" in refusal(with_column(table, "R_BE_xx", 2.0 * x))
+    assert "ref_R_BE is no rotation" in refusal(with_column(table, "ref_R_BE_xx", 2.0 * x))
+    half = np.where(np.arange(len(x)) == 6, np.nan, table["ref_y_E_m"].to_numpy())
+    assert "row 7 half a reference stands" in refusal(with_column(table, "ref_y_E_m", half))
 
 
 def test_rows_that_do_not_follow_one_another(table, refusal):
     rows = np.arange(len(table))
     told = refusal(table.take(rows[5:]))
     assert "goes on from flight 1, which must be an earlier one" in told
-    assert "row 4, tick 4 of flight 1, does not follow" in refusal(table.take(np.delete(rows, 3)))
+    assert "row 4, leg 0, tick 4, does not follow" in refusal(table.take(np.delete(rows, 3)))
     assert "does not follow" in refusal(table.take(rows[::-1]))
     assert "does not follow" in refusal(table.take(np.roll(rows, 21)))
     assert "does not follow" in refusal(table.take(np.random.default_rng(1).permutation(rows)))
