@@ -11,11 +11,12 @@ no named ending, a number was not finite, or a divergence has no cause that is k
 import argparse
 import sys
 from collections import defaultdict, deque
-from collections.abc import Iterable
+from collections.abc import Iterable, MutableSequence
 from itertools import chain
 from math import isfinite
 from pathlib import Path
 from random import Random
+from typing import NamedTuple
 
 import numpy as np
 
@@ -40,6 +41,8 @@ FLIGHT = 60.0
 """s; then comes another set, wind and seed."""
 BOUND = 2.785
 """Of decay rate x step: what classical Runge-Kutta can follow without growing."""
+LAST = 200
+"""Ticks before a divergence: its cause is looked for in them, and they say nothing of lines."""
 QUICK = 150.0
 """m/s; a kite that meets the air no faster flies still, and has not diverged yet."""
 Counts = defaultdict[str, float]
@@ -48,6 +51,14 @@ COLUMNS = (
     *("set", "wind [m/s]", "flown [s]", "slack [s]", "on the ground [s]", "restarts", "gone back"),
     *("diverged", "thrown", "taut line off, aloft [µm]", "on the ground [µm]"),
 )
+
+
+class Seen(NamedTuple):
+    """A tick: its motion, `where` the kite was, how far [m] a taut line was off its length."""
+
+    motion: Motion
+    where: str
+    off: float
 
 
 def main() -> int:
@@ -91,7 +102,7 @@ def hostile(name: str, strong: bool, seed: int, step: float, seconds: float = FL
     random, met = Random(seed), Counts(float)
     flight = SteeredFlight(_scenario(random, name, strong), step=step)
     saved, command, down = flight.save(), Command(), 0
-    before: deque[Motion] = deque(maxlen=200)
+    before: deque[Seen] = deque()
     for k in range(round(seconds / TICK)):
         if k % random.choice((7, 30, 90)) == 0:
             stick = random.choice((-1.0, 0.0, 1.0, random.uniform(-1, 1)))
@@ -104,7 +115,8 @@ def hostile(name: str, strong: bool, seed: int, step: float, seconds: float = FL
         try:
             motion = flight.tick(command).motion
         except FlightError as error:
-            cause = _cause(flight.parameters, before, step)
+            cause = _cause(flight.parameters, [seen.motion for seen in before], step)
+            before.clear()
             met["diverged"] += 1
             met["unexplained"] += not cause
             print(f"{name}, seed {seed}: {error}; {cause or 'NOBODY KNOWS WHY'}", flush=True)
@@ -119,12 +131,21 @@ def hostile(name: str, strong: bool, seed: int, step: float, seconds: float = FL
             met["restarts"] += 1
             flight.restart()
             saved, down = flight.save(), 0
-            before.clear()
+            _note(met, before)
             continue
-        before.append(motion)
-        _look(met, motion, flight)
+        before.append(_look(met, motion, flight))
+        if len(before) > LAST:
+            _note(met, [before.popleft()])
         down += flight.result.departure is not None and flight.result.departure.limit is GROUND
+    _note(met, before)
     return met
+
+
+def _note(met: Counts, seen: MutableSequence[Seen]) -> None:
+    """Takes note of how far off lines were in ticks that led to no divergence; clears `seen`."""
+    for _, where, off in seen:
+        met[where] = max(met[where], off)
+    seen.clear()
 
 
 def _cause(parameters: Parameters, before: Iterable[Motion], step: float) -> str:
@@ -154,17 +175,16 @@ def _finite(motion: Motion) -> bool:
     return all(map(isfinite, chain(motion.q or (), body, motion.control, lines, motion.air)))
 
 
-def _look(met: Counts, motion: Motion, flight: SteeredFlight) -> None:
-    """Counts the tick, and takes note of how far taut lines are off their lengths."""
+def _look(met: Counts, motion: Motion, flight: SteeredFlight) -> Seen:
+    """Counts the tick; how far taut lines are off their lengths in it."""
     departure = flight.result.departure
     ground = departure is not None and departure.limit is GROUND
     met["ticks"] += 1
     met["ground"] += ground
     met["slack"] += min(motion.tensions) <= 0.0
-    for line in motion.lines:
-        if line.tension_kite > 0.0:
-            where = "off, ground" if ground else "off"
-            met[where] = max(met[where], abs(norm(line.points[1]) - line.length))
+    taut = [line for line in motion.lines if line.tension_kite > 0.0]
+    off = max((abs(norm(line.points[1]) - line.length) for line in taut), default=0.0)
+    return Seen(motion, "off, ground" if ground else "off", off)
 
 
 def decay_rate(parameters: Parameters, motion: Motion) -> float:
