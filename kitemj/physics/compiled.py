@@ -19,8 +19,8 @@ from numba.extending import overload
 from numpy.typing import NDArray
 
 from kitemj.physics.code_folder import INHERITED, code_folder
+from kitemj.physics.fingerprint import fingerprint
 from kitemj.physics.machine_code import MachineCode
-from kitemj.physics.reach import fingerprint
 
 Array = NDArray[np.float64]
 F = TypeVar("F", bound=Callable[..., Any])

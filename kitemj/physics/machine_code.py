@@ -19,7 +19,7 @@ from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
 
 from kitemj.physics.code_folder import code_folder, complain, owner
-from kitemj.physics.reach import classes_of, fingerprint
+from kitemj.physics.fingerprint import classes_of, fingerprint
 
 _rebuilt: Any = CompileResult._rebuild
 _pickled: Any = dumps

@@ -183,7 +183,8 @@ def _full_device(folder: Path) -> str:
 
 
 def _same(path: Path) -> str:
-    return "" if path.read_bytes() == MINE else f"file lost: {path.name}"
+    kept = path.is_file() and path.read_bytes() == MINE
+    return "" if kept else f"file lost: {path.name}"
 
 
 def _written(path: Path) -> str:

@@ -13,9 +13,9 @@ SHARE = {
     "tables": 0.02,
     "arguments": 0.006,
     "recordings": 0.01,
-    "files": 0.03,
-    "disks": 0.02,
-    "journals": 0.08,
+    "files": 0.02,
+    "disks": 0.012,
+    "journals": 0.05,
     "sticks": 0.005,
     "kills": 0.02,
 }
