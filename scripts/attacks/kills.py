@@ -46,7 +46,7 @@ class Command(NamedTuple):
 COMMANDS = (
     Command(("simulate", SCENARIO, "--output", "a.csv"), 1.5, TABLE),
     Command(("compare", SCENARIO, "--markdown", "a.md"), 6.0, ("a.md",)),
-    Command(("film", SCENARIO, "--output", "a.mp4", "--speed", "0.25", *SMALL), 8.0, ("a.mp4",)),
+    Command(("film", SCENARIO, "--output", "a.mp4", "--speed", "0.25", *SMALL), 6.0, ("a.mp4",)),
     Command(("film", SCENARIO, "--still", "1", "--output", "a.png"), 4.0, ("a.png",)),
     Command(FLY, 3.5, ("a.mp4", "a.arrows")),
     Command(("realtime", "--headless", "--duration", "2", *SMALL), 6.0),
