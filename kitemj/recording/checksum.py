@@ -14,7 +14,8 @@ import pyarrow as pa
 ABOUT = {b"checksum": b"crc32=00000000"}
 """Metadata that a batch is made with, before its bytes are known; first of all, so that it stands
 last in them, after any text that looks like it."""
-MARK = b"\x0e\x00\x00\x00crc32="
+NAME = b"crc32="
+MARK = b"\x0e\x00\x00\x00" + NAME
 """How Arrow writes that: its length, then the text."""
 ZEROS = b"00000000"
 END = b"\xff\xff\xff\xff\x00\x00\x00\x00"
@@ -52,7 +53,7 @@ def sound_part(data: bytes) -> Sound:
             return Sound(start, damaged=True)
     rest = data[ends[-1] :]
     # what was cut is one batch at most, and has no end
-    more = rest.count(MARK) > 1 or (rest != END and END in (rest[:8], rest[-8:]))
+    more = rest.count(NAME) > 1 or (rest != END and END in (rest[:8], rest[-8:]))
     return Sound(ends[-1], damaged=more)
 
 
