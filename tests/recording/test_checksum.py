@@ -49,11 +49,9 @@ def test_damage_before_the_last_batch_of_a_killed_writer_is_no_cut(data):
     killed = data[: -len(END)]
     last = killed.rfind(b"\xff\xff\xff\xff", 0, killed.rfind(MARK))
     marks = [found.start() for found in re.finditer(re.escape(MARK), killed[:last])]
-    around = [place for mark in marks for place in range(mark - 8, mark + 20)]
-    for place in (
-        *around,
-        *range(max(0, last - 30_000), last, 7),
-    ):  # how ticks fall into batches varies
+    places = [place for mark in marks for place in range(mark - 8, mark + 20)]
+    places += range(max(0, last - 30_000), last, 7)  # how ticks fall into batches varies
+    for place in places:
         flipped = bytearray(killed)
         flipped[place] ^= 0x40
         sound = sound_part(bytes(flipped))
