@@ -52,6 +52,8 @@ def run(args: argparse.Namespace) -> int:
             print_table(table, most=len(table.columns))
         if tolerances:
             print(as_table.TOLERANCES_TOLD)
+        if still := [each.source for each in scenarios if not each.steered]:
+            print(f"No steering programme is named, so restless hands flew: {', '.join(still)}")
     if args.markdown:
         with new_file(args.markdown, args.overwrite) as part:
             part.write_text(text, encoding="utf-8")

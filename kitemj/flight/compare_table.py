@@ -33,7 +33,7 @@ TOLERANCES_TOLD = (
     f"Tolerances: position {POSITION_TOLERANCE * 1e6:g} µm, attitude "
     f"{ATTITUDE_TOLERANCE * 1e6:g} µrad, tension {TENSION_TOLERANCE * 1e3:g} mN. Compared until "
     "a line goes slack or the kite touches the ground; valid: within all limits until then. "
-    "At rest: the kite never moved, which shows nothing of how it moves."
+    '"at rest": the kite never moved, which shows nothing of how it moves.'
 )
 
 

@@ -25,8 +25,8 @@ from kitemj.realtime.messages import (
 )
 from kitemj.recording.live import FlightSetup
 
-PATIENCE = 60.0
-"""s; to load and, the first time after an installation, to compile."""
+PATIENCE = 300.0
+"""s; to load and, the first time after an installation, to compile, on a slow machine too."""
 DOUBT = 1.0
 """s of silence, twice the beat of a process that goes on: nothing is asked of it now."""
 SILENCE = 5.0
