@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from kitemj.console import complain
-from kitemj.signals import interrupt
+from kitemj.signals import interrupt_again
 
 UNFORESEEN = 70
 """The exit status; EX_SOFTWARE of sysexits.h."""
@@ -40,7 +40,7 @@ def reporting(words: Sequence[str]) -> Iterator[None]:
     def hook(fault: Any) -> None:
         if isinstance(fault.exc_value, KeyboardInterrupt):
             # it came while something was thrown away, and is lost with it: once more
-            threading.Timer(0.01, interrupt).start()
+            interrupt_again()
         elif fault.exc_value is not None and not isinstance(fault.exc_value, SystemExit):
             report(fault.exc_value, words)
 

@@ -10,8 +10,9 @@ from _thread import interrupt_main
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import wraps
-from threading import current_thread, main_thread
+from threading import Timer, current_thread, main_thread
 from types import FrameType
+from typing import ClassVar
 
 from kitemj.console import complain
 
@@ -22,9 +23,13 @@ RESULTS = ("numba.core.serialize", "namedtuple_")
 
 
 class _Received:
-    """The first signal that came (0: none), and whether what it asks for is put off."""
+    """The first signal that came (0: none), and whether what it asks for is put off.
+
+    `again`: what sends an interrupt once more, because it was lost.
+    """
 
     first, held, due = 0, 0, False
+    again: ClassVar[list[Timer]] = []
 
 
 def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
@@ -34,7 +39,7 @@ def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
     def run(arguments: Sequence[str] | None = None) -> int:
         if current_thread() is not main_thread():
             return main(arguments)
-        _Received.first, _Received.due = 0, False
+        _Received.first, _Received.held, _Received.due = 0, 0, False
         before = {number: signal.getsignal(number) for number in ENDING}
         for number, handler in before.items():
             if handler not in (signal.SIG_IGN, None):  # nohup: who asked for that goes on
@@ -43,12 +48,18 @@ def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
         try:
             status = main(arguments)
         except KeyboardInterrupt:
+            _Received.held += 1
             with suppress(OSError):
                 complain("interrupted; nothing was written")
         except OSError:
             if not _Received.first:
                 raise  # otherwise the terminal is gone, and nobody can be told anything
         finally:
+            _Received.held += 1  # what comes now has come too late
+            while _Received.again:
+                timer = _Received.again.pop()
+                timer.cancel()
+                timer.join()
             for number, handler in before.items():
                 if handler is not None:
                     signal.signal(number, handler)
@@ -88,8 +99,13 @@ def _interrupt_in(frame: FrameType) -> None:
     frame.f_trace = raising
 
 
-def interrupt() -> None:
-    """Interrupts the main thread, from another."""
+def interrupt_again() -> None:
+    """Interrupts the main thread a moment from now: an interrupt was lost."""
+    _Received.again.append(Timer(0.01, _interrupt))
+    _Received.again[-1].start()
+
+
+def _interrupt() -> None:
     if hasattr(signal, "pthread_kill"):
         signal.pthread_kill(main_thread().ident or 0, signal.SIGINT)
     else:

@@ -110,6 +110,25 @@ def test_an_interrupt_while_something_is_thrown_away_is_not_lost() -> None:
     assert main() == 143
 
 
+def test_a_lost_interrupt_does_not_come_when_all_is_over() -> None:
+    class Thrown:
+        def __del__(self) -> None:
+            send(signal.SIGTERM)
+
+    @orderly
+    def main(words: object) -> int:
+        with reporting([]):
+            thrown: Thrown | None = Thrown()
+            del thrown
+            return 0
+
+    try:
+        assert main() == 143
+        time.sleep(0.1)
+    except KeyboardInterrupt:
+        pytest.fail("it came too late")
+
+
 INTERRUPTED = """
 import os, signal, sys, threading
 from thesis.forced_response import ForcedLagrange, SineSteering, trimmed
