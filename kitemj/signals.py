@@ -63,7 +63,10 @@ def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
             for number, handler in before.items():
                 if handler is not None:
                     signal.signal(number, handler)
-        return 128 + _Received.first if _Received.first else status
+        if not _Received.first:
+            return status
+        exec("")  # else Python dies of SIGINT if the last text that it executed was interrupted
+        return 128 + _Received.first
 
     return run
 

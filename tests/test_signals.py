@@ -129,6 +129,23 @@ def test_a_lost_interrupt_does_not_come_when_all_is_over() -> None:
         pytest.fail("it came too late")
 
 
+EXECUTING = """
+import sys
+from kitemj.signals import orderly
+@orderly
+def main(words):
+    exec("import os, signal; os.kill(os.getpid(), signal.SIGTERM); os.getpid()")
+sys.exit(main())
+"""
+
+
+def test_an_interrupt_while_text_is_executed_gives_the_same_status() -> None:
+    """As in imports, which make tuples and data classes of it."""
+    assert (
+        subprocess.run([sys.executable, "-c", EXECUTING], cwd=ROOT, check=False).returncode == 143
+    )
+
+
 INTERRUPTED = """
 import os, signal, sys, threading
 from thesis.forced_response import ForcedLagrange, SineSteering, trimmed
