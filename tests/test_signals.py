@@ -139,11 +139,12 @@ sys.exit(main())
 """
 
 
-def test_an_interrupt_while_text_is_executed_gives_the_same_status() -> None:
-    """As in imports, which make tuples and data classes of it."""
-    assert (
-        subprocess.run([sys.executable, "-c", EXECUTING], cwd=ROOT, check=False).returncode == 143
-    )
+def test_an_interrupt_while_text_is_executed_gives_the_same_status(tmp_path: Path) -> None:
+    """As in imports, which make tuples and data classes of it; Python looks at it after -m."""
+    (tmp_path / "executing.py").write_text(EXECUTING, encoding="utf-8")
+    words = [sys.executable, "-m", "executing"]
+    found = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, (tmp_path, ROOT)))}
+    assert subprocess.run(words, env=found, check=False).returncode == 143
 
 
 INTERRUPTED = """
