@@ -19,7 +19,7 @@ from kitemj.errors import (
 )
 from kitemj.last_resort import UNFORESEEN, report, reporting
 from kitemj.registry import use
-from kitemj.signals import orderly
+from kitemj.signals import interrupted, orderly
 
 COMMANDS = (
     *("fly", "simulate", "compare", "film", "replay", "info", "plot", "limits"),
@@ -55,6 +55,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         complain(str(error))
         return 1
     except Exception as error:
+        if interrupted():  # which comes out of compilers and imports as an error of theirs
+            raise KeyboardInterrupt from error
         return _refused(error, words)
     finally:
         let_go()

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from kitemj.console import complain
-from kitemj.signals import interrupt_again
+from kitemj.signals import interrupt_again, interrupted
 
 UNFORESEEN = 70
 """The exit status; EX_SOFTWARE of sysexits.h."""
@@ -41,7 +41,7 @@ def reporting(words: Sequence[str]) -> Iterator[None]:
         if isinstance(fault.exc_value, KeyboardInterrupt):
             # it came while something was thrown away, and is lost with it: once more
             interrupt_again()
-        elif fault.exc_value is not None and not isinstance(fault.exc_value, SystemExit):
+        elif not (interrupted() or isinstance(fault.exc_value, SystemExit | None)):
             report(fault.exc_value, words)
 
     threading.excepthook = sys.unraisablehook = hook

@@ -71,6 +71,11 @@ def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
     return run
 
 
+def interrupted() -> bool:
+    """Whether a signal has come: what fails from now on may fail for that alone."""
+    return _Received.first != 0
+
+
 def _receive(number: int, frame: FrameType | None) -> None:
     """Interrupts once; a hangup is often followed by a second, or by a termination."""
     if _Received.first and number != signal.SIGINT:

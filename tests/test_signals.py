@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from kitemj.cli import main
+from kitemj.commands import reach
 from kitemj.last_resort import reporting
 from kitemj.signals import held, orderly
 
@@ -127,6 +129,21 @@ def test_a_lost_interrupt_does_not_come_when_all_is_over() -> None:
         time.sleep(0.1)
     except KeyboardInterrupt:
         pytest.fail("it came too late")
+
+
+def test_what_an_interrupt_became_is_no_fault_of_the_program(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def run(words: object) -> int:
+        try:
+            send(signal.SIGTERM)
+        except KeyboardInterrupt:
+            raise RuntimeError("a callback failed") from None
+        return 0
+
+    monkeypatch.setattr(reach, "run", run)
+    assert main(["reach"]) == 143
+    assert capsys.readouterr().err == "kitemj: interrupted; nothing was written\n"
 
 
 EXECUTING = """
