@@ -69,7 +69,8 @@ def attacks() -> list[Attack]:
 def _lines() -> Iterator[list[str]]:
     for name, command in _commands().items():
         base = (BASES | SLOW)[name]
-        yield [name]
+        if name not in SLOW:  # which need no word to begin
+            yield [name]
         yield [*base, "more"]
         for action in command._actions:
             if isinstance(action, argparse._HelpAction):

@@ -36,11 +36,12 @@ SWEEP = ("sweep", "study.toml", "--output", "a.parquet", "--processes", "2")
 
 
 class Command(NamedTuple):
-    """Words, the processor's time [s] that they take, and the files that may be there after."""
+    """Words, the processor's time [s] that they take, what may be there after, how they end."""
 
     words: tuple[str, ...]
     time: float
     files: tuple[str, ...] = ()
+    status: int = 0
 
 
 COMMANDS = (
@@ -59,7 +60,7 @@ COMMANDS = (
     Command(("stability", SCENARIO, "--save", "a.pdf"), 3.0, ("a.pdf",)),
     Command(SWEEP, 4.0, ("a.parquet", "a.parquet.journal")),
     Command(("reach",), 1.2),
-    Command(("pad", "--show"), 1.5),
+    Command(("pad", "--show"), 1.5, status=2),  # there is none
     Command(("thesis", "--output", "report"), 60.0, ("report",)),
 )
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)
@@ -87,7 +88,7 @@ def _kill(command: Command, number: signal.Signals, part: float, folder: Path) -
     _record(folder / "flown.arrows")
     shared = _shared()
     run = _run(command, number, part, folder)
-    fine = (0, 1, 128 + number, -number)  # before it has begun, the signal's own is right
+    fine = (command.status, 0, 1, 128 + number, -number)  # before it has begun, the signal's own is right
     if harm := harm_of(run, fine):
         return harm
     until = time.monotonic() + GRACE
