@@ -88,7 +88,8 @@ def _kill(command: Command, number: signal.Signals, part: float, folder: Path) -
     _record(folder / "flown.arrows")
     shared = _shared()
     run = _run(command, number, part, folder)
-    fine = (command.status, 0, 1, 128 + number, -number)  # before it has begun, the signal's own is right
+    # before it has begun, the signal's own is right
+    fine = (command.status, 0, 1, 128 + number, -number)
     if harm := harm_of(run, fine):
         return harm
     until = time.monotonic() + GRACE
