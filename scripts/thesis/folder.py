@@ -11,8 +11,8 @@ from kitemj.temporary import temporary_folder
 
 def check_folder(path: Path, overwrite: bool) -> None:
     """Raises InputError where `path` has content (and `overwrite` is off) or cannot be made."""
-    if path.exists() and not path.is_dir():
-        raise InputError(f"{path} is a file; give the name of a folder")
+    if os.path.lexists(path) and not path.is_dir():  # a link may lead nowhere
+        raise InputError(f"{path} is no folder; give the name of one")
     if path.is_dir() and any(path.iterdir()) and not overwrite:
         raise InputError(
             f"the folder {path} exists and is not empty; give another name, or --overwrite"

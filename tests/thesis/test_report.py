@@ -187,12 +187,21 @@ def test_mistakes_of_sections_are_found_before_anything_is_written(tmp_path):
 def test_bad_names_are_a_sentence_and_status_2(name, tmp_path, capsys):
     (tmp_path / "file").write_text("mine")
     path, sentence = {
-        "a file": (tmp_path / "file", "is a file"),
+        "a file": (tmp_path / "file", "is no folder"),
         "no parent": (tmp_path / "none" / "report", "there is no folder"),
     }[name]
     assert main(["thesis", "--output", str(path)]) == 2
     assert sentence in capsys.readouterr().err
     assert [file.name for file in tmp_path.iterdir()] == ["file"]
+
+
+def test_a_link_that_leads_nowhere_is_no_folder(tmp_path, capsys):
+    link = tmp_path / "report"
+    for end in ("report", "none"):
+        link.symlink_to(end)
+        assert main(["thesis", "--output", str(link)]) == 2
+        assert capsys.readouterr().err == f"kitemj: {link} is no folder; give the name of one\n"
+        link.unlink()
 
 
 def test_an_installation_without_the_repository_says_where_the_report_is(
