@@ -23,12 +23,12 @@ RESULTS = ("numba.core.serialize", "namedtuple_")
 
 
 class _Received:
-    """The first signal that came (0: none), and whether what it asks for is put off.
+    """The first signal that came (0: none), and whether what it asks for is put off, or was lost.
 
-    `again`: what sends an interrupt once more, because it was lost.
+    `again`: what sends a signal once more, because its interrupt was lost.
     """
 
-    first, held, due = 0, 0, False
+    first, held, due, lost = 0, 0, False, False
     again: ClassVar[list[Timer]] = []
 
 
@@ -39,7 +39,7 @@ def orderly(main: Callable[[Sequence[str] | None], int]) -> Callable[..., int]:
     def run(arguments: Sequence[str] | None = None) -> int:
         if current_thread() is not main_thread():
             return main(arguments)
-        _Received.first, _Received.held, _Received.due = 0, 0, False
+        _Received.first, _Received.held, _Received.due, _Received.lost = 0, 0, False, False
         before = {number: signal.getsignal(number) for number in ENDING}
         for number, handler in before.items():
             if handler not in (signal.SIG_IGN, None):  # nohup: who asked for that goes on
@@ -78,9 +78,9 @@ def interrupted() -> bool:
 
 def _receive(number: int, frame: FrameType | None) -> None:
     """Interrupts once; a hangup is often followed by a second, or by a termination."""
-    if _Received.first and number != signal.SIGINT:
+    if _Received.first and number != signal.SIGINT and not _Received.lost:
         return
-    _Received.first = _Received.first or number
+    _Received.first, _Received.lost = _Received.first or number, False
     if _Received.held:
         _Received.due = True
     elif frame and frame.f_back and _makes_result(frame):
@@ -109,15 +109,16 @@ def _interrupt_in(frame: FrameType) -> None:
 
 def interrupt_again() -> None:
     """Interrupts the main thread a moment from now: an interrupt was lost."""
+    _Received.lost = True
     _Received.again.append(Timer(0.01, _interrupt))
     _Received.again[-1].start()
 
 
 def _interrupt() -> None:
     if hasattr(signal, "pthread_kill"):
-        signal.pthread_kill(main_thread().ident or 0, signal.SIGINT)
+        signal.pthread_kill(main_thread().ident or 0, _Received.first)
     else:
-        interrupt_main()
+        interrupt_main(signal.Signals(_Received.first))
 
 
 @contextmanager

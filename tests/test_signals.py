@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,14 @@ PATIENCE = 30.0
 """s; for what takes milliseconds on a machine that has nothing else to do."""
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
+
+
+@pytest.fixture(autouse=True)
+def obeyed() -> Iterator[None]:
+    """What starts programs in the background may have Ctrl-C ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 def send(*numbers: int) -> None:
@@ -100,6 +109,8 @@ def test_an_interrupt_while_something_is_thrown_away_is_not_lost() -> None:
     class Thrown:
         def __del__(self) -> None:
             send(signal.SIGTERM)
+
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # as of a program in the background
 
     @orderly
     def main(words: object) -> int:
