@@ -6,6 +6,7 @@ import re
 import shutil
 import stat
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -16,6 +17,10 @@ from kitemj.errors import InputError
 
 OPEN = {"/dev/stdout": 1, "/dev/stderr": 2}
 """What this process has open is not replaced either, though it be a file: /dev/fd/N, and these."""
+
+
+PATIENCE = 2.0
+"""s; for the reader of a pipe to come."""
 
 
 def check_new(path: Path, overwrite: bool) -> None:
@@ -55,6 +60,24 @@ def is_stream(path: Path) -> bool:
     except OSError:
         return False
     return _open_number(path) is not None or stat.S_ISFIFO(mode) or stat.S_ISCHR(mode)
+
+
+def _opened(path: Path) -> int:
+    """A stream, opened to be written into; raises InputError for a pipe that nobody reads."""
+    until = time.monotonic() + PATIENCE
+    while True:
+        try:
+            stream = os.open(path, os.O_WRONLY | os.O_APPEND | getattr(os, "O_NONBLOCK", 0))
+        except OSError as error:
+            if error.errno != errno.ENXIO:
+                raise
+            if time.monotonic() > until:
+                says = "is a pipe that nobody reads; start its reader first"
+                raise InputError(f"{path} {says}") from None
+            time.sleep(0.05)
+        else:
+            os.set_blocking(stream, True)
+            return stream
 
 
 def _open_number(path: Path) -> int | None:
@@ -115,9 +138,9 @@ class NewFile:
         """Writes all into the stream, after what was printed before."""
         flush()
         number = _open_number(self.path)
-        stream = self.path.open("ab") if number is None else os.fdopen(os.dup(number), "wb")
-        with stream, self.part.open("rb") as file:
-            shutil.copyfileobj(file, stream)
+        stream = _opened(self.path) if number is None else os.dup(number)
+        with os.fdopen(stream, "wb") as taking, self.part.open("rb") as file:
+            shutil.copyfileobj(file, taking)
 
     def discard(self) -> None:
         """Removes what was not kept; may be called twice."""

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from kitemj import files
 from kitemj.errors import InputError
 from kitemj.files import NewFile, check_new, new_file
 
@@ -85,6 +86,16 @@ def test_a_stream_is_written_into_and_stays(tmp_path: Path) -> None:
     reader.join()
     assert taken == ["new"]
     assert pipe.is_fifo()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such pipes")
+def test_a_pipe_that_nobody_reads_is_a_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(files, "PATIENCE", 0.1)
+    os.mkfifo(pipe := tmp_path / "pipe")
+    with pytest.raises(InputError, match="pipe that nobody reads"), new_file(pipe) as part:
+        part.write_text("x")
 
 
 def test_standard_output_goes_on_behind_what_is_written_into_it(tmp_path: Path) -> None:
