@@ -147,7 +147,8 @@ def _the_umask_counts(words: list[str], folder: Path, path: Path) -> str:
 def _the_longest_name_is_a_name(words: list[str], folder: Path, path: Path) -> str:
     if words[0] == "sweep":  # whose journal has a longer one
         return ""
-    long = "a" * (255 - len(path.suffix)) + path.suffix
+    beside = len("-metadata.json") if path.suffix == ".csv" else 0  # the file that tells of it
+    long = "a" * (255 - len(path.suffix) - beside) + path.suffix
     harm = _ends([long if word == path.name else word for word in words], folder, 0)
     return harm or _written(folder / long)
 
