@@ -12,8 +12,9 @@ from kitemj.drawing.history import History
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.flight.live import TICK
+from kitemj.physics.shaping import StickLaw
 from kitemj.pilots.course import Course
-from kitemj.realtime.messages import Deed, Rate, StartAt, Timekeeping
+from kitemj.realtime.messages import Assisted, Deed, Rate, StartAt, Timekeeping
 from kitemj.realtime.process import FlightProcess
 
 
@@ -82,6 +83,7 @@ def fly(
             if isinstance(screen.stick, ProgrammedStick):
                 screen.wishes.ask(screen.stick.actions(painting - begun))
             physics.ask(screen.stick.command(physics.result.motion))
+            physics.ask(Assisted(screen.assist))
             _grant(screen.wishes, physics, picture, course)
             if course:
                 course.watch(physics.result.motion)
@@ -127,17 +129,22 @@ def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Cou
 def _readings(
     physics: FlightProcess, history: History, screen: Screen, course: Course | None
 ) -> Readings:
-    """The readings of the present moment; the pointer of the knob is where the stick is now."""
+    """The readings of the present moment.
+
+    The pointer of the knob is where the stick is now, or where the assist has it.
+    """
     times, wishes, status = physics.times, screen.wishes, course.status if course else None
     lesson_shown = status and (status.number or status.praised)  # until all are passed and praised
+    own = physics.command.delta * physics.parameters.stick.delta
     return Readings(
         model=physics.model,
         gap=physics.result.gap,
-        delta_command=physics.command.delta * physics.parameters.stick.delta,
-        law=physics.command.law,
+        delta_command=physics.result.wish if screen.assist else own,
+        law=StickLaw.ANGLE if screen.assist else physics.command.law,
         missed_ticks=times.missed,
         lateness=times.lateness,
-        stick=screen.stick.name,
+        stick=f"{screen.stick.name} + assist" if screen.assist else screen.stick.name,
+        assist=screen.assist,
         speed=wishes.pace,
         message=screen.message or physics.problem,
         traces=history.traces(time.perf_counter()),

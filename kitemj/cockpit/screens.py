@@ -32,6 +32,11 @@ class Screen:
         """A sentence on the stick for the person; empty: none."""
         return ""
 
+    @property
+    def assist(self) -> bool:
+        """Whether the assist is to fly what the stick asks for."""
+        return False
+
     def poll(self) -> None:
         """Takes in what the person did since."""
 
@@ -110,6 +115,11 @@ class Window(Screen):
         """A sentence on the stick for the person; empty: none."""
         return self._person.message
 
+    @property
+    def assist(self) -> bool:
+        """Whether the assist is to fly what the person asks for."""
+        return self._person.assist and self.stick is self._person
+
     def poll(self) -> None:
         """Reads all events."""
         for event in events():
@@ -130,7 +140,7 @@ class Window(Screen):
         for name in names:
             if name == "full screen":
                 self._change_fullness()
-            elif name in ("law", "two sticks"):
+            elif name in ("law", "two sticks", "assist"):
                 self._person.change(name)
             else:
                 self.wishes.ask([name])

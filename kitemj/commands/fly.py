@@ -49,6 +49,9 @@ def add(parser: Parser) -> None:
     parser.add_argument("--at", type=float, metavar="S", help="from this time of it; its end")
     parser.add_argument("--lessons", action="store_true", help="all lessons, passed or not")
     parser.add_argument("--no-lessons", action="store_true", help="none")
+    says = "the assist flies what the stick asks for at first, or not; in lessons it does"
+    flag = argparse.BooleanOptionalAction
+    parser.add_argument("--assist", action=flag, default=None, help=says)
     parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
     parser.add_argument("--headless", action="store_true", help="film a show, open no window")
     parser.add_argument("--film", type=Path, metavar="FILE.mp4", help="name of that film")
@@ -97,7 +100,7 @@ def run(args: argparse.Namespace) -> int:
             stick = programme or show_of(parameters)
             screen = FilmScreen(path, *pixels, stick, args.overwrite)
         else:
-            screen = _window(setup.scenario, pixels, programme)
+            screen = _window(setup.scenario, pixels, programme, args.assist, course)
         screen.wishes.view = args.view
         try:
             print(fly(physics, picture, screen, duration, args.called, course))
@@ -155,8 +158,13 @@ def _programme(args: argparse.Namespace, scenario: "Scenario") -> "Stick | None"
     """The table or the pilot that flies, if there is one."""
     from kitemj.controls.programmed import read_programmed_stick
     from kitemj.controls.stick import PilotStick
+    from kitemj.pilots.manoeuvres import turns
     from kitemj.pilots.registry import as_pilot
 
+    if args.assist and (args.pilot or args.stick):
+        raise InputError("--assist helps a person: leave out --pilot or --stick")
+    if args.assist and not turns(scenario.parameters):
+        raise InputError("--assist is for kites that turn, and this one drifts: leave it out")
     if args.pilot and args.stick:
         raise InputError("--pilot and --stick both want the stick: give one of them")
     if args.pilot:
@@ -164,7 +172,13 @@ def _programme(args: argparse.Namespace, scenario: "Scenario") -> "Stick | None"
     return read_programmed_stick(args.stick, scenario.parameters) if args.stick else None
 
 
-def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None") -> "Window":
+def _window(
+    scenario: "Scenario",
+    pixels: tuple[int, int],
+    stick: "Stick | None",
+    assist: bool | None,
+    course: "Course | None",
+) -> "Window":
     """A window for a person, with what they have set; `stick` flies in their place."""
     from kitemj.cockpit.screens import Window
     from kitemj.controls.settings import settings_or_defaults
@@ -172,6 +186,10 @@ def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None"
 
     settings, complaint = settings_or_defaults()
     person = PersonStick(settings, scenario.parameters)
+    if assist is not None:
+        person.assist = assist
+    elif course and settings.assist == "lessons":
+        person.assist = True
     if complaint:
         person.notices.say(complaint, LONG)
     return Window(*pixels, f"kitemj: {scenario.source}", person, stick)

@@ -18,6 +18,7 @@ class Readings(NamedTuple):
     missed_ticks: int = 0
     lateness: float = 0.0  # s, of the last tick
     stick: str = ""  # what steers: "gamepad", "keys", "programme"
+    assist: bool = False  # whether the assist flies what that asks for
     speed: float = 1.0  # simulated time over wall time
     message: str = ""  # one line that must be seen
     traces: Traces | None = None  # what a History remembers

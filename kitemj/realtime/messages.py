@@ -20,6 +20,12 @@ class Rate(NamedTuple):
     rate: float
 
 
+class Assisted(NamedTuple):
+    """Whether the assist flies what commands ask for: their δ is the hand it is told of."""
+
+    on: bool
+
+
 class StartAt(NamedTuple):
     """Which of the flight's starts the next restart goes to."""
 
@@ -42,7 +48,7 @@ class Stop(NamedTuple):
     ending: str
 
 
-Wish = Begin | Rate | StartAt | Deed | Command | Stop
+Wish = Begin | Rate | Assisted | StartAt | Deed | Command | Stop
 
 
 class Timekeeping(NamedTuple):
