@@ -86,7 +86,7 @@ def fly(
             physics.ask(Assisted(screen.assist))
             _grant(screen.wishes, physics, picture, course)
             if course:
-                course.watch(physics.result.motion)
+                course.watch(physics.result.motion, assist=screen.assist)
             result, readings = physics.result, _readings(physics, history, screen, course)
             frame = picture.paint(result.motion, result.reference, readings, screen.wishes.view)
             screen.show(frame, painting - begun)

@@ -28,13 +28,15 @@ OFF = 0.2
 
 HARD = 6.0
 """rad/s; full stick, more or less."""
-CLEAR, FADE = 3.0, 6.0
+CLEAR, FADE = 0.2, 0.5
 """m; of height that is kept, and over which the refusal begins."""
-DEAD, LAG, RADIUS, MOST = 0.2, 0.5, 6.0, 3.0
+DEAD, LAG, RADIUS, MOST = 0.15, 0.5, 6.0, 3.0
 """s, m, rad/s; how soon a full stick turns the nose, on which circle, how fast at most."""
 DIVE = 0.35
 """1/m; of the square of the wind: what a kite gains straight down [m/s²]."""
 KEEP = 1.0
+HANDS = 1.5
+"""rad/s of δ; how fast hands that pull the other way come over."""
 STEP, LONG = 0.1, 2.5
 """s; of the look ahead."""
 
@@ -48,14 +50,15 @@ class Assist:
     def command(self, motion: Motion) -> Command:
         """Where the stick is now, for what is seen in `motion`."""
         seen = sight(motion)
+        speed = max(motion.air.speed, 1.0)
         low = {side: lowest(motion, seen, side) for side in (LEFT, RIGHT)}
-        free = max(0.0, min(1.0, (max(low.values()) - CLEAR) / FADE))
+        free = max(0.0, min(1.0, (max(low.values()) - CLEAR * speed) / (FADE * speed)))
         side = RIGHT if low[RIGHT] - low[LEFT] > -KEEP * seen.turning else LEFT
         off = max(0.0, 1.0 - abs(self.hand) / OFF)
         rate = FULL * self.hand + off * level(seen, side)
         rate = free * rate + (1.0 - free) * side * HARD * min(1.0, abs(seen.heading))
         push = FORWARD * rate + EASE * (rate - seen.turning)
-        return Command(max(-1.0, min(1.0, push / max(motion.air.speed, 1.0))))
+        return Command(max(-1.0, min(1.0, push / speed)))
 
 
 def level(seen: Sight, side: float) -> float:
@@ -69,9 +72,10 @@ def lowest(motion: Motion, seen: Sight, side: float) -> float:
     """The least height [m] of a kite whose nose is turned up to one `side` from now on."""
     height, speed = -motion.body.p_G_E.z, motion.air.speed
     heading, turning, least, left = seen.heading, seen.turning, height, LONG
+    dead = DEAD + max(0.0, -side * motion.control.delta) / HANDS
     gain = DIVE * wind(motion) ** 2
     while left > 0.0 and not (cos(heading) > 0.0 and side * sin(heading) < 0.0 < side * turning):
-        if left < LONG - DEAD:
+        if left < LONG - dead:
             turning += (side * min(MOST, speed / RADIUS) - turning) * STEP / LAG
         heading += turning * STEP
         speed -= gain * cos(heading) * STEP

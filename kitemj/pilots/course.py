@@ -40,7 +40,7 @@ class Entry(NamedTuple):
 
 
 LESSONS = (
-    Entry("top", "Hold the top", Top, aside=True),
+    Entry("top", "Hold the top", Top),
     Entry("turn-left", "Turn left", lambda rest: Turn(LEFT)),
     Entry("turn-right", "Turn right", lambda rest: Turn(RIGHT)),
     Entry("loop-left", "A loop to the left", lambda rest: Loop(LEFT)),
@@ -116,8 +116,8 @@ class Course:
         now = self._shown if entry else Advice(FINISHED, 0.0)
         return LessonStatus(number, total, title, now.text, now.push, progress, False)
 
-    def watch(self, motion: Motion, crashed: bool = False) -> None:
-        """The next motion; `crashed` where the caller knows of a crash."""
+    def watch(self, motion: Motion, crashed: bool = False, assist: bool = False) -> None:
+        """The next motion; `crashed` where the caller knows of a crash, `assist`: it is on."""
         if not 0 <= motion.t - self._t <= BLINK:
             self._ground = FirstTouch(self._parameters)
             self._down, self._praise = "", -inf
@@ -126,7 +126,8 @@ class Course:
         touch = self._ground.watch(motion)
         if self._down or not self._attempt:
             return
-        advice = self._attempt.watch(self._observer.look(motion)._replace(touch=touch))
+        look = self._observer.look(motion)._replace(touch=touch, assist=assist)
+        advice = self._attempt.watch(look)
         self._progress = advice.progress
         if touch or crashed:
             gentle = touch is not None and touch.gentle and not crashed

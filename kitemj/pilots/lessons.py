@@ -28,49 +28,45 @@ def back(look: Observation, praise: str) -> Advice:
 
 
 class Top:
-    """From the side to the top of the window without delay, and held there.
-
-    A kite that is left alone comes back too, but slowly.
-    """
+    """Out to a side by a push, home to the top of the window, and held there."""
 
     def __init__(self, rest: float) -> None:
         """`rest` [rad]: the elevation of a kite that stands still at the top."""
         self._rest, self._held = rest, Held()
-        self._out: float | None = None  # when it was last out at the side
-        self._home = False
+        self._side, self._out, self._home = RIGHT, False, False
+        self._began = False  # near the middle: who begins aside has not flown there
 
     def watch(self, look: Observation) -> Advice:
-        """Out, home in time, held."""
-        t, azimuth = look.motion.t, degrees(abs(look.sight.azimuth))
+        """Out, home, held."""
+        azimuth = degrees(abs(look.sight.azimuth))
         high = look.sight.elevation > self._rest - radians(DEEP)
-        if azimuth > OUT:
-            self._out, self._home = t, False
-        late = self._out is None or t - self._out > IN_TIME
-        if azimuth < HOME and high and not late:
-            self._home = True
-        held = self._held.look(self._home and azimuth < NEAR and high, t)
-        way = 0.0 if late else max(0.0, 1 - azimuth / OUT)
-        progress = 0.3 + 0.7 * min(held / HOLD, 1.0) if self._home else 0.3 * way
-        advice = danger(look) or self._advice(look, late, HOLD - held)
-        return advice._replace(progress=progress)
+        self._began |= azimuth < NEAR
+        if self._began and azimuth > OUT:
+            self._out, self._home = True, False
+        self._home |= self._out and azimuth < NEAR and high
+        held = self._held.look(self._home and azimuth < NEAR and high, look.motion.t)
+        way = min(azimuth / OUT, 1.0) if self._began else 0.0
+        progress = 0.5 + 0.5 * min(held / HOLD, 1.0) if self._home else 0.4
+        advice = danger(look) or self._advice(look, HOLD - held)
+        return advice._replace(progress=progress if self._out else 0.3 * way)
 
-    def _advice(self, look: Observation, late: bool, left: float) -> Advice:
+    def _advice(self, look: Observation, left: float) -> Advice:
+        if self._began and not self._out:
+            name = WORDS[self._side]
+            advice = stick(look, self._side * SLANT)
+            return completed(advice, f"until the nose points {name}", f"it flies off {name}")
         climb = up(look)
         if self._home:
             rest = f"Hold it at the top: {max(left, 0.0):.0f} s more"
             text = f"{climb.text}: the nose must point up" if climb.push else rest
             return climb._replace(text=text)
-        if late:
-            side = LEFT if look.sight.azimuth < 0 else RIGHT
-            text = f"Push the stick a little {WORDS[side]}: out to the side first, then come back"
-            return Advice(text, SOME * side)
         return completed(climb, "until the nose points up and to the middle", "the kite flies home")
 
 
-OUT, HOME, NEAR, DEEP = 30.0, 10.0, 15.0, 10.0
-"""deg: of azimuth, out at the side, home, near enough to home; of elevation, too low."""
-IN_TIME = 3.5
-"""s from OUT to HOME; a kite that is left alone takes 5.5 s in 5 m/s, more in more."""
+OUT, NEAR, DEEP = 25.0, 15.0, 12.0
+"""deg: of azimuth, out at the side, home; of elevation, too low for the top."""
+SLANT = radians(60.0)
+"""Of the nose on the way out."""
 HOLD = 5.0
 """s."""
 

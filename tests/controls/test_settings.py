@@ -114,7 +114,7 @@ def test_a_new_file_tells_the_defaults(path):
     assert path.read_text().startswith(NEW_FILE)
     told = "\n".join(line.removeprefix("# ") for line in NEW_FILE.splitlines()[1:])
     assert settings_of(tomllib.loads(told), "the new file") == Settings()
-    assert set(tomllib.loads(told)) == {*Feel._fields, "law", "invert"}
+    assert set(tomllib.loads(told)) == {*Feel._fields, "law", "assist", "invert"}
 
 
 def test_a_folder_is_made_and_a_link_stays_a_link(tmp_path):
