@@ -12,9 +12,13 @@ from kitemj.pilots.sight import LEFT, RIGHT, WORDS, Observation, turned
 
 LONG = 0.8
 """s; a stick held nearly full for so long is a loop, and after that the ground."""
-AHEAD = 1.0
-"""s; what is said is read, done and answered by the kite so much later."""
-NEAR, FAR = radians(15.0), radians(45.0)
+LATE = 0.8
+"""s; what is said is read and done so much later."""
+AHEAD = 0.4
+"""s; and so much later the kite has answered."""
+TURN = 2.5
+"""rad/s of the nose for a full push, by and by."""
+NEAR, FAR = radians(20.0), radians(45.0)
 """Of the nose by then: less is not worth a word, more is not a little."""
 SOME, MORE = 0.2, 0.4
 """Of the stick's way: what is meant by a little, and by a push."""
@@ -38,7 +42,8 @@ def stick(look: Observation, wish: float, about: float = 0.0) -> Advice:
 
     Back from there, up, the assist turns it by itself.
     """
-    soon = turned(wish - look.sight.heading, about) - AHEAD * look.sight.turning
+    coming = AHEAD * look.sight.turning + TURN * look.said
+    soon = turned(wish - look.sight.heading, about) - coming
     side = RIGHT if soon > 0 else LEFT
     if abs(soon) < NEAR or (look.assist and side * wish <= 0.0):
         return Advice("Let go", 0.0)

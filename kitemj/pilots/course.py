@@ -1,13 +1,15 @@
 """The first-flight course: which lesson is flown, what is to be done now, which are passed."""
 
+from collections import deque
 from collections.abc import Callable, Collection
+from itertools import pairwise
 from math import inf, pi
 from typing import NamedTuple
 
 from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.equilibrium import equilibrium_state
 from kitemj.physics.parameters import Parameters
-from kitemj.pilots.advice import Advice
+from kitemj.pilots.advice import LATE, Advice
 from kitemj.pilots.crash import FirstTouch
 from kitemj.pilots.lessons import Eight, Landing, Lesson, Loop, Top, Turn
 from kitemj.pilots.sight import LEFT, RIGHT, Observer
@@ -126,7 +128,9 @@ class Course:
         touch = self._ground.watch(motion)
         if self._down or not self._attempt:
             return
-        look = self._observer.look(motion)._replace(touch=touch, assist=assist)
+        self._said.append((motion.t, self._shown.push))
+        look = self._observer.look(motion)
+        look = look._replace(touch=touch, assist=assist, said=self._pending(motion.t))
         advice = self._attempt.watch(look)
         self._progress = advice.progress
         if touch or crashed:
@@ -152,6 +156,12 @@ class Course:
         self._praise = -inf
         self._begin()
 
+    def _pending(self, t: float) -> float:
+        """What was said within `LATE` of time `t` [s], as in `Observation`."""
+        while self._said[0][0] < t - LATE:
+            self._said.popleft()
+        return sum(push * (then - now) for (now, _), (then, push) in pairwise(self._said))
+
     def _pass(self) -> None:
         assert self.lesson
         self.passed.add(self.lesson.key)
@@ -163,4 +173,5 @@ class Course:
         rest = pi / 2 - self._rest.q.gamma
         self._attempt = self.lesson.begin(rest) if self.lesson else None
         self._observer = Observer(self._parameters)
+        self._said = deque[tuple[float, float]]()  # when, which push
         self._shown, self._since, self._progress = NOTHING, -inf, 0.0

@@ -222,6 +222,8 @@ class Landing:
         if look.touch and look.touch.gentle and self._flew:
             return Advice("Landed", 0.0, 1.0)
         self._flew |= look.touch is None
+        if look.assist:
+            return Advice("The assist lets no kite land. Switch it off: press H", 0.0)
         azimuth, elevation = degrees(look.sight.azimuth), degrees(look.sight.elevation)
         if self._side * azimuth < -OUT:  # the other edge is nearer
             self._side = -self._side

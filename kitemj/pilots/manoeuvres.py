@@ -34,8 +34,8 @@ def steer(motion: Motion, error: float) -> Command:
 
 
 def turns(parameters: Parameters) -> bool:
-    """Whether the kite turns where its nose follows its motion (C_nβ > 0); others only drift."""
-    return float(getattr(parameters.aero, "Cn_beta", 0.0)) > 0
+    """Whether the kite turns to the hand that pulls; one that is `mirrored` drifts away from it."""
+    return not parameters.stick.mirrored
 
 
 class Hold:

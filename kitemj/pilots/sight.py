@@ -67,7 +67,8 @@ class Observation(NamedTuple):
     `turned` [rad]: how far the nose has turned to the right since it last pointed up;
     `twist`: its turns to the right, not whole, since the attempt began; `pulling` [s]: for
     how long the stick has been held nearly full; `touch`: the flight's first of the ground;
-    `assist`: whether the assist flies what the stick asks for.
+    `assist`: whether the assist flies what the stick asks for; `said` [s]: the pushes that were
+    asked for, parts of the stick's way, times how long; only those that may not be seen yet.
     """
 
     motion: Motion
@@ -77,6 +78,7 @@ class Observation(NamedTuple):
     pulling: float
     touch: Touch | None = None
     assist: bool = False
+    said: float = 0.0
 
     @property
     def upright(self) -> bool:
