@@ -88,4 +88,4 @@ def test_arms_that_cannot_be(words, says, capsys):
 def test_a_kite_that_is_not_there(capsys):
     assert main(["reach", "none.toml"]) == 2
     assert "cannot read none.toml: " in (said := capsys.readouterr().err)
-    assert "; sets: laksa, sport, thesis" in said
+    assert "; sets: laksa, sport, thesis, trainer" in said
