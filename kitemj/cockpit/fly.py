@@ -118,9 +118,9 @@ def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Cou
             course.begin_again()
             physics.ask(Deed.RESTART)
     if turn != (0.0, 0.0):
-        picture.orbit(*turn)
+        picture.eye.turn(*turn)
     if zoom != 1.0:
-        picture.zoom(zoom)
+        picture.eye.zoom(zoom)
     picture.shown = wishes.shown
 
 

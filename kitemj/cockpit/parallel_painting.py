@@ -19,13 +19,14 @@ from numpy.typing import NDArray
 
 from kitemj.child import Child
 from kitemj.closing import Closing
-from kitemj.drawing.gl import open_graphics
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.text import put, width
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError, NoGraphics
 from kitemj.physics.parameters import Parameters
+from kitemj.scene.gl import open_graphics
+from kitemj.scene.views import Camera
 
 Frame = NDArray[np.uint8]
 MOST_WORKERS = 8
@@ -38,11 +39,12 @@ PATIENCE = 60
 
 
 class Shot(NamedTuple):
-    """What one flight shows in one frame."""
+    """What one flight shows in one frame; `camera`: None for where the stage's view stands."""
 
     motion: Motion
     reference: Motion | None
     readings: Readings
+    camera: Camera | None = None
 
 
 class Stage(NamedTuple):
@@ -70,7 +72,7 @@ class Painter(Closing):
         """The frame (height, width, 3) of a shot of each flight, side by side."""
         view = self._stage.view
         parts = [
-            picture.paint(shot.motion, shot.reference, shot.readings, view)
+            picture.paint(shot.motion, shot.reference, shot.readings, shot.camera or view)
             for picture, shot in zip(self._pictures, shots, strict=True)
         ]
         if len(parts) == 1:

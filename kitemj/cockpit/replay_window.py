@@ -80,7 +80,7 @@ class ReplayWindow:
         if state == self._shown:
             return
         self._shown = state
-        motion, reference, readings = self._source.shot(player.t, player.speed)
+        motion, reference, readings, _ = self._source.shot(player.t, player.speed)
         readings = readings._replace(help=REPLAY_HELP if self.help else ())
         frame = picture.paint(motion, reference, readings, self.view)
         size = (picture.width, picture.height)

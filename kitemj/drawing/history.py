@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.drawing.alarms import Alarm, alarm_at
-from kitemj.drawing.views import UP, downwind
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, cross, dot, norm, plus, times
+from kitemj.scene.views import UP, downwind
 
 TRAIL_STEP = 0.03  # s of the flight between points of the trail
 TRAIL_POINTS = 400

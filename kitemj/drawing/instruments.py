@@ -16,7 +16,6 @@ from kitemj.drawing.knob import paint_knob
 from kitemj.drawing.lesson_panel import beside, paint_lesson, paint_touch
 from kitemj.drawing.panel import LARGE, NAME, NOW, NUMBER, Panel, Place, box_of
 from kitemj.drawing.readings import Readings
-from kitemj.drawing.scene import newtons_per_metre
 from kitemj.drawing.strip_chart import paint_chart
 from kitemj.drawing.tensions import paint_tensions, scale_of
 from kitemj.drawing.text import width
@@ -24,6 +23,7 @@ from kitemj.drawing.wind_window import WindWindow, bearing
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import SIDESLIP, STALL, TWIST, Numbers
 from kitemj.physics.parameters import Parameters
+from kitemj.scene.scene import newtons_per_metre
 
 MARGIN = 12
 STRIP = 118  # height of the strip along the bottom

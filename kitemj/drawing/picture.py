@@ -1,7 +1,6 @@
 """One frame: a main view, a small other view, and the instruments over both."""
 
 from math import atan2, cos, radians, sin
-from typing import Any
 
 import numpy as np
 import pygame
@@ -9,21 +8,21 @@ from numpy.typing import NDArray
 
 from kitemj.closing import Closing
 from kitemj.controls.actions import INSTRUMENTS, VIEWS
-from kitemj.drawing import views
-from kitemj.drawing.gl import open_graphics
 from kitemj.drawing.help_page import paint_help
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.readings import Readings
-from kitemj.drawing.scene import Scene
-from kitemj.drawing.scenery import RINGS, ring_step
 from kitemj.drawing.text import put, width
 from kitemj.drawing.trail import paint_trail, seen
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
-from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, norm, plus, times
 from kitemj.physics.wind import wind_velocity
+from kitemj.scene import views
+from kitemj.scene.eye import Eye
+from kitemj.scene.renderer import Renderer
+from kitemj.scene.scenery import RINGS, ring_step
+from kitemj.scene.views import Camera
 
 RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0, "top": 38.0}  # deg, right of downwind
 INSET = 0.3  # size of the small view in parts of a frame of 16:9
@@ -45,46 +44,41 @@ class Picture(Closing):
             raise InputError(f"a picture of {size} is too small, at least 320 x 180")
         self.parameters, self.width, self.height = parameters, width, height
         self.shown = set(INSTRUMENTS)
-        self._orbit = views.first_orbit(parameters)
-        self._graphics = open_graphics(width, height)
-        self._camera: views.Camera | None = None
-        self._inset_camera: views.Camera | None = None
-        self._scene = Scene(parameters, width, height, self._graphics.software)
-        with self._graphics.context.as_current():
-            font = mujoco.mjtFontScale.mjFONTSCALE_100
-            self._context: Any = mujoco.MjrContext(self._scene.model, font)
-            mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._context)
+        self.eye = Eye(parameters)
+        self._camera: Camera | None = None
+        self._inset_camera: Camera | None = None
+        self._renderer = Renderer(parameters, width, height)
         self._instruments = Instruments(parameters, width, height)
-        self._pixels = np.empty((height, width, 3), np.uint8)
 
     def paint(
-        self, motion: Motion, reference: Motion | None, readings: Readings, view: str = "chase"
+        self,
+        motion: Motion,
+        reference: Motion | None,
+        readings: Readings,
+        view: str | Camera = "chase",
     ) -> NDArray[np.uint8]:
-        """A new frame (height, width, 3), RGB, row 0 on top; `reference` is drawn translucent."""
-        if view not in VIEWS:
+        """A new frame (height, width, 3), RGB, row 0 on top.
+
+        motion: the kite
+        reference: drawn translucent where it parts from the kite; None: there is none
+        readings: what the instruments show besides
+        view: a name of VIEWS, seen with `eye`; or the camera itself
+        """
+        if isinstance(view, str) and view not in VIEWS:
             raise InputError(f"there is no view {view!r}; there are: {', '.join(VIEWS)}")
-        self._camera, self._inset_camera = self._eye(motion, view), None
-        whole = mujoco.MjrRect(0, 0, self.width, self.height)
-        with self._graphics.context.as_current():
-            forces = "forces" in self.shown
-            self._scene.fill(motion, reference, self._camera, self._close(view), forces)
-            mujoco.mjr_render(whole, self._scene.mjv, self._context)
-            if "inset" in self.shown:
-                self._render_inset(motion, reference, view)
-            mujoco.mjr_readPixels(self._pixels, None, whole, self._context)
-        frame = np.ascontiguousarray(self._pixels[::-1])
-        self._letter(frame, motion, readings, view)
+        name = view if isinstance(view, str) else ""
+        self._camera = self.eye.look(motion, view) if isinstance(view, str) else view
+        self._inset_camera, forces = None, "forces" in self.shown
+        self._renderer.render(motion, reference, self._camera, forces)
+        if "inset" in self.shown:
+            # the kite from near; all, if the main view is near
+            other = "pilot" if self._camera.near else "chase"
+            self._inset_camera = views.CAMERAS[other](self.parameters, motion)
+            box = self._inset_rows()
+            self._renderer.render(motion, reference, self._inset_camera, forces, box)
+        frame = self._renderer.frame()
+        self._letter(frame, motion, readings, name)
         return frame
-
-    def orbit(self, d_azimuth: float, d_elevation: float) -> None:
-        """Turns the eye of the view "orbit": to the right and up by angles in rad."""
-        self._orbit = self._orbit.turned(d_azimuth, d_elevation)
-
-    def zoom(self, factor: float) -> None:
-        """Takes the eye of the view "orbit" `factor` times nearer."""
-        if not factor > 0:
-            raise InputError(f"zoom must be by a factor > 0, got {factor:g}")
-        self._orbit = self._orbit.zoomed(factor, self.parameters)
 
     def pixel(self, p_E: Vector) -> tuple[float, float]:
         """(column, row) of the point `p_E` [m, E] in the main view of the last frame."""
@@ -93,26 +87,19 @@ class Picture(Closing):
         place = views.pixel(self._camera, p_E, self.width, self.height)
         return place.column, place.row
 
-    def _eye(self, motion: Motion, view: str) -> views.Camera:
-        if view == "orbit":
-            return views.orbiting(self.parameters, motion, self._orbit)
-        return views.CAMERAS[view](self.parameters, motion)
-
-    def _close(self, view: str) -> bool:
-        """Whether a view is from near the kite."""
-        return view == "chase" or (view == "orbit" and views.near(self.parameters, self._orbit))
-
     def _letter(
         self, frame: NDArray[np.uint8], motion: Motion, readings: Readings, view: str
     ) -> None:
         """Paints trail, labels and instruments into the frame itself."""
+        assert self._camera is not None
+        near = self._camera.near
         surface = pygame.image.frombuffer(frame.data, (self.width, self.height), "RGB")
         if readings.traces and "trail" in self.shown:
             self._trails(surface, readings.traces.trail, motion)
         if self._inset_camera:
             pygame.draw.rect(surface, (235, 238, 242), self._inset_rows().inflate(4, 4), 2)
-        self._instruments.paint(surface, motion, readings, self.shown, self._close(view))
-        if self._close(view) and "forces" in self.shown:
+        self._instruments.paint(surface, motion, readings, self.shown, near)
+        if near and "forces" in self.shown:
             self._instruments.legend(surface)
         if "labels" in self.shown:
             self._labels(surface, motion, view)
@@ -140,9 +127,10 @@ class Picture(Closing):
 
     def _labels(self, surface: pygame.Surface, motion: Motion, view: str) -> None:
         """Writes the wind's speed at its arrow, the rings' distances; where there is room."""
-        close = self._close(view)
+        assert self._camera is not None
+        close = self._camera.near
         taken = self._instruments.taken + ([self._inset_rows()] if self._inset_camera else [])
-        tail, tip = self._scene.wind_arrow(motion, close)
+        tail, tip = self._renderer.scene.wind_arrow(motion, close)
         aside, below, align = (0.0, 34.0, 0.5) if close else (-20.0, 0.0, 1.0)
         if view == "side":  # where the pilot stands beside the arrow's tail
             aside, below, align = 0.0, 34.0, 0.0
@@ -205,20 +193,6 @@ class Picture(Closing):
         w, h, margin = int(INSET * 1280 * unit), int(INSET * 720 * unit), int(12 * unit)
         return pygame.Rect(self.width - w - margin, margin, w, h)
 
-    def _render_inset(self, motion: Motion, reference: Motion | None, view: str) -> None:
-        """Renders the small view: the kite from near; all, if the main view is near."""
-        other = "pilot" if self._close(view) else "chase"
-        self._inset_camera = camera = views.CAMERAS[other](self.parameters, motion)
-        self._scene.fill(motion, reference, camera, other == "chase", "forces" in self.shown)
-        rows = self._inset_rows()
-        bottom = self.height - rows.bottom  # OpenGL counts rows from below
-        corner = mujoco.MjrRect(rows.left, bottom, rows.width, rows.height)
-        mujoco.mjr_render(corner, self._scene.mjv, self._context)
-
     def close(self) -> None:
         """Gives the OpenGL context back; may be called twice."""
-        if self._context is not None:
-            with self._graphics.context.as_current():
-                self._context.free()
-            self._context = None
-            self._graphics.context.free()
+        self._renderer.close()

@@ -7,8 +7,8 @@ import pygame
 from numpy.typing import NDArray
 
 from kitemj.drawing.smooth import smooth_lines
-from kitemj.drawing.views import Camera
 from kitemj.physics.vectors import cross
+from kitemj.scene.views import Camera
 
 COLOUR = (255.0, 232.0, 120.0)
 FAINT, BRIGHT = 0.12, 0.95  # opacity of the oldest and of the newest piece

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from kitemj.drawing.colours import CALL, DIM, LEFT, RIGHT, WHITE, Colour
 from kitemj.drawing.panel import Panel
 from kitemj.drawing.trail import paint_trail
-from kitemj.drawing.views import UP, downwind
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times
+from kitemj.scene.views import UP, downwind
 
 WIDTH, HEIGHT = 292, 172
 FOOT = (146.0, 144.0)  # of the pilot: the middle of the ground line

@@ -15,14 +15,9 @@ import pytest
 from numpy.typing import NDArray
 
 from kitemj.controls.actions import VIEWS
-from kitemj.drawing import gl, views
-from kitemj.drawing.canopy import canopy, surface_point
-from kitemj.drawing.gl import NoGraphics, candidates
 from kitemj.drawing.instruments import NUMBER, _length
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
-from kitemj.drawing.scene import hanging
-from kitemj.drawing.scenery import ring_step
 from kitemj.drawing.text import put
 from kitemj.dynamics.motion import Body, Motion, PerLine, straight_lines
 from kitemj.errors import InputError
@@ -32,6 +27,11 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, rest_ell
 from kitemj.physics.vectors import Vector, minus, norm, plus, unrotated
+from kitemj.scene import gl, views
+from kitemj.scene.canopy import canopy, surface_point
+from kitemj.scene.gl import NoGraphics, candidates
+from kitemj.scene.scene import hanging
+from kitemj.scene.scenery import ring_step
 
 LAKSA = parameter_set("laksa")
 EQUILIBRIUM = Angles(0.0, radians(22.882617), 0.0, radians(-15.136331))
@@ -262,12 +262,12 @@ def test_the_mouse_moves_the_orbit_of_the_picture(picture: Picture) -> None:
     for _ in range(2):
         picture.paint(motion, None, QUIET, "orbit")
         places.append(picture.pixel(on_canopy(motion, 0.9)))
-        picture.zoom(1.5)
-    picture.zoom(1 / 1.5**2)
+        picture.eye.zoom(1.5)
+    picture.eye.zoom(1 / 1.5**2)
     middle = picture.pixel(motion.body.p_G_E)
     assert abs(places[1][0] - middle[0]) > 1.3 * abs(places[0][0] - middle[0])
     with pytest.raises(InputError, match="factor > 0"):
-        picture.zoom(0.0)
+        picture.eye.zoom(0.0)
 
 
 def test_the_same_motion_gives_the_same_frame(picture: Picture) -> None:

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.drawing.canopy import Mesh, canopy
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
+from kitemj.scene.canopy import Mesh, canopy
 
 RED = (0.90, 0.10, 0.12)  # the pilot's left, A₊
 BLUE = (0.10, 0.24, 0.95)  # the pilot's right, A₋

@@ -12,15 +12,15 @@ from typing import Any
 
 import numpy as np
 
-from kitemj.drawing import scenery as look
-from kitemj.drawing.canopy import surface_point
-from kitemj.drawing.views import NEAR, UP, Camera, downwind
 from kitemj.dynamics.motion import Motion, attachment_E
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.frames import quaternion, world, world_quaternion
 from kitemj.physics.loads import aerodynamic_wrench
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times, unrotated
+from kitemj.scene import scenery as look
+from kitemj.scene.canopy import surface_point
+from kitemj.scene.views import NEAR, UP, Camera, downwind
 
 O_E = Vector(0.0, 0.0, 0.0)
 MAX_GEOMS = 400
@@ -63,14 +63,14 @@ class Scene:
         motion: Motion,
         reference: Motion | None,
         camera: Camera,
-        close: bool,
         forces: bool = True,
     ) -> None:
         """Makes the scene of `motion` as `camera` sees it.
 
-        `close` is the view of one who is near the kite: true size, bridles and, unless
-        `forces` is off, force arrows.
+        One that is near the kite sees its true size, bridles and, unless `forces` is off,
+        force arrows.
         """
+        close = camera.near
         size = 0 if close else 1
         visible = 0.0 if reference is None else _visibility(motion, reference, self.parameters)
         self._option.geomgroup[1:] = 0

@@ -21,12 +21,16 @@ NEAR_ORBIT = 8.0  # spans, up to here the kite is seen in its true size
 
 
 class Camera(NamedTuple):
-    """Position [m, E]; unit vectors forward and up [E]; vertical angle of view [rad]."""
+    """Position [m, E]; unit vectors forward and up [E]; vertical angle of view [rad].
+
+    `near`: whether it is near the kite, which is then seen in its true size, with its forces.
+    """
 
     position: Vector
     forward: Vector
     up: Vector
     field: float
+    near: bool = False
 
 
 class Pixel(NamedTuple):
@@ -65,7 +69,7 @@ def chase(parameters: Parameters, motion: Motion) -> Camera:
     heading = _level(plus(G, times(parameters.lines.length, wind)), wind)
     kite = Vector(G.x, G.y, min(G.z, 0.0))
     eye = plus(kite, plus(times(-2.1 * span, heading), times(1.1 * span, UP)))
-    return looking(eye, plus(kite, times(0.25 * span, UP)))
+    return looking(eye, plus(kite, times(0.25 * span, UP)))._replace(near=True)
 
 
 def pilot(parameters: Parameters, _: Motion) -> Camera:
@@ -126,12 +130,8 @@ def orbiting(parameters: Parameters, motion: Motion, orbit: Orbit) -> Camera:
     level = plus(times(-cos(orbit.azimuth), wind), times(sin(orbit.azimuth), right))
     away = plus(times(cos(orbit.elevation), level), times(sin(orbit.elevation), UP))
     eye = plus(target, times(orbit.distance, away))
-    return looking(Vector(eye.x, eye.y, min(eye.z, -LOWEST)), target)
-
-
-def near(parameters: Parameters, orbit: Orbit) -> bool:
-    """Whether the eye is so near that the kite is drawn in its true size, with its forces."""
-    return orbit.distance < NEAR_ORBIT * parameters.kite.span
+    camera = looking(Vector(eye.x, eye.y, min(eye.z, -LOWEST)), target)
+    return camera._replace(near=orbit.distance < NEAR_ORBIT * span)
 
 
 View = Callable[[Parameters, Motion], Camera]
