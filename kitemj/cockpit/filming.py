@@ -74,7 +74,7 @@ def film(
     count = int((end - start) / style.speed * style.rate + 1e-6) + 1
     times = [start + i * style.speed / style.rate for i in range(count)]
     # painters see single frames; where a view stands follows from all before
-    seen = [(source, Eye(source.parameters)) for source in sources]
+    eyed = [(source, Eye(source.parameters)) for source in sources]
     shots = (
         [_seen(source.shot(t, style.speed), eye, style) for source, eye in seen] for t in times
     )
