@@ -76,7 +76,7 @@ def film(
     # painters see single frames; where a view stands follows from all before
     eyed = [(source, Eye(source.parameters)) for source in sources]
     shots = (
-        [_seen(source.shot(t, style.speed), eye, style) for source, eye in seen] for t in times
+        [_seen(flight.shot(t, style.speed), eye, style) for flight, eye in eyed] for t in times
     )
     frames = painted(_stage(sources, style), shots, workers_for(count))
     written = Film(path, *style.size, style.rate, overwrite)
