@@ -20,6 +20,8 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times, unrotated
 from kitemj.scene import scenery as look
 from kitemj.scene.canopy import surface_point
+from kitemj.scene.ground import EXTENT
+from kitemj.scene.quality import Quality
 from kitemj.scene.views import NEAR, UP, Camera, downwind
 
 O_E = Vector(0.0, 0.0, 0.0)
@@ -47,9 +49,9 @@ NOWHERE, UPRIGHT = np.zeros(3), np.eye(3).ravel()
 class Scene:
     """The drawing model with its state; `mjv` is what MuJoCo renders."""
 
-    def __init__(self, parameters: Parameters, width: int, height: int, software: bool) -> None:
+    def __init__(self, parameters: Parameters, width: int, height: int, quality: Quality) -> None:
         self.parameters = parameters
-        self.model = look.drawing_model(parameters, width, height, software)
+        self.model = look.drawing_model(parameters, width, height, quality)
         self.mjv = mujoco.MjvScene(self.model, MAX_GEOMS)
         self._data = mujoco.MjData(self.model)
         self._option = mujoco.MjvOption()
@@ -113,7 +115,7 @@ class Scene:
         for eye in self.mjv.camera:
             eye.pos, eye.forward, eye.up = (world(v_E) for v_E in camera[:3])
             eye.frustum_center, eye.frustum_top, eye.frustum_bottom = 0.0, top, -top
-            eye.frustum_near, eye.frustum_far = NEAR, 2 * look.EXTENT
+            eye.frustum_near, eye.frustum_far = NEAR, 2 * EXTENT
 
     def _add_lines(self, motion: Motion, colours: tuple[Any, Any], width: float) -> None:
         for line, colour in zip(motion.lines, chain(colours, repeat(THREAD)), strict=False):
