@@ -7,9 +7,8 @@ import numpy as np
 
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.canopy import Mesh
 from kitemj.scene.ground import squares
-from kitemj.scene.model_parts import add_mesh, add_shape, add_texture
+from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture
 from kitemj.scene.sky import sky
 from kitemj.scene.sun import land_turn
 
@@ -44,7 +43,9 @@ def _square(inner: float, outer: float) -> Mesh:
         edge[[third, 2 * third]] = -inner, inner
     corners = np.array([(a, b, 0.0) for a in edge for b in edge])
     middle = range(third, 2 * third) if inner else ()
-    cells = [(i, j) for i in range(CELLS) for j in range(CELLS) if i not in middle or j not in middle]
+    cells = [
+        (i, j) for i in range(CELLS) for j in range(CELLS) if i not in middle or j not in middle
+    ]
     a = np.array([i * (CELLS + 1) + j for i, j in cells])
     b, c, d = a + CELLS + 1, a + CELLS + 2, a + 1
     faces = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
