@@ -85,6 +85,8 @@ def fly(
             _grant(screen.wishes, physics, picture, course)
             if course:
                 course.watch(physics.result.motion)
+            if screen.size and screen.size != (picture.width, picture.height):
+                picture.resize(*screen.size)
             result, readings = physics.result, _readings(physics, history, screen, course)
             frame = picture.paint(result.motion, result.reference, readings, screen.wishes.view)
             screen.show(frame, painting - begun)
@@ -121,7 +123,7 @@ def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Cou
         picture.eye.turn(*turn)
     if zoom != 1.0:
         picture.eye.zoom(zoom)
-    picture.shown = wishes.shown
+    picture.depth, picture.shown = wishes.depth, wishes.shown
 
 
 def _readings(

@@ -64,6 +64,13 @@ class Renderer(Closing):
             mujoco.mjr_readPixels(self._pixels, None, whole, self._context)
         return np.ascontiguousarray(self._pixels[::-1])
 
+    def resize(self, width: int, height: int) -> None:
+        """Makes the next frames `width` x `height` pixels large."""
+        with self._graphics.context.as_current():
+            mujoco.mjr_resizeOffscreen(width, height, self._context)
+        self.width, self.height = width, height
+        self._pixels = np.empty((height, width, 3), np.uint8)
+
     def close(self) -> None:
         """Gives the OpenGL context back; may be called twice."""
         if self._context is not None:
