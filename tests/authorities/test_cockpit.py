@@ -16,14 +16,14 @@ import pytest
 from kitemj.drawing import instruments, knob, tensions
 from kitemj.drawing.history import Rolling, Traces, twist_angle
 from kitemj.drawing.readings import Readings
-from kitemj.drawing.scene import Scene, hanging
-from kitemj.drawing.views import CAMERAS, Orbit, downwind, looking, orbiting, pixel
 from kitemj.drawing.wind_window import FOOT, RADIUS, WindWindow, bearing
 from kitemj.physics.steering import Control
 from kitemj.physics.vectors import Rotation, Vector, cross, minus, norm, times
 from kitemj.physics.wind import Wind
 from kitemj.pilots.crash import touch_at
 from kitemj.pilots.sight import sight
+from kitemj.scene.scene import Scene, hanging
+from kitemj.scene.views import CAMERAS, Orbit, downwind, looking, orbiting, pixel
 from tests.authorities.by_hand import DOWN, LEFT, LEVEL, RIGHT, UP, UPWIND, ZERO, motion
 from tests.support import LAKSA
 

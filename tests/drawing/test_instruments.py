@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from kitemj.controls.actions import INSTRUMENTS, PANELS
 from kitemj.drawing.alarms import HELD, alarm_at
 from kitemj.drawing.colours import ALARM, CALL, INK, LEFT, RIGHT
-from kitemj.drawing.gl import NoGraphics
 from kitemj.drawing.history import CHART_COLUMNS, CHART_SPAN, TRAIL_POINTS, History, twist_angle
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.knob import HUB, OUTER, paint_knob
@@ -28,6 +27,7 @@ from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
 from kitemj.pilots.crash import Touch
+from kitemj.scene.gl import NoGraphics
 from tests.drawing.test_picture import EQUILIBRIUM, LAKSA, motion_at
 from tests.support import pulling
 
@@ -140,7 +140,7 @@ def test_the_trail_is_where_the_kite_was(picture: Picture, view: str) -> None:
         history.add(was.t, was)
     motion, traces = CALM._replace(t=3.0), history.traces(3.0)._replace(alarm=None)
     picture.shown = set(INSTRUMENTS) - {"labels"}
-    picture.zoom(0.02)  # the orbit, as far as it goes
+    picture.eye.zoom(0.02)  # the orbit, as far as it goes
     plain = picture.paint(motion, None, Readings(), view).astype(int)
     changed = np.abs(picture.paint(motion, None, Readings(traces=traces), view) - plain).max(axis=2)
     free = []
@@ -154,7 +154,7 @@ def test_the_trail_is_where_the_kite_was(picture: Picture, view: str) -> None:
     hidden = picture.paint(motion, None, Readings(traces=traces), view)
     assert np.array_equal(hidden[:590, 310:870], plain[:590, 310:870])
     picture.shown = set(INSTRUMENTS)
-    picture.zoom(1e6)
+    picture.eye.zoom(1e6)
 
 
 def test_what_is_hidden_is_not_painted_in_the_picture(picture: Picture) -> None:
