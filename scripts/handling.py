@@ -146,7 +146,7 @@ def shares(parameters: Parameters, starts: list[Place], times: list[float]) -> d
         when = f", median {middle:.1f} s" if isfinite(middle) else ""
         label = "any way" if nose == NOSES[-1] else f"{nose:.0f}° from up at most"
         rows[f"back in {SOON:.0f} s, nose {label}"] = share(chosen) + when
-    rows["the same beyond the window, 60°"] = share(after[~there & (noses <= 60.0)])
+    rows["beyond the window, nose 60° from up at most"] = share(after[~there & (noses <= 60.0)])
     return rows
 
 
@@ -177,9 +177,10 @@ def told(parameters: Parameters, part: float, duration: float) -> str:
     found = answer(parameters, part, duration)
     if isfinite(found.down):
         return f"{found.aside:.0f}° aside, down after {found.down:.1f} s"
-    level = found.level_after
-    then = f"{LEVEL:.0f}° after {level:.1f} s" if level < inf else f"{found.at_end:.0f}° after 15 s"
-    return f"{found.aside:.0f}° aside, {then}, {found.lowest:.0f} m up at least"
+    level, then = found.level_after, f", {found.at_end:.0f}° after 15 s"
+    if level < inf:
+        then = f", {LEVEL:.0f}° after {level:.1f} s" if level else ""
+    return f"{found.aside:.0f}° aside{then}, {found.lowest:.0f} m up at least"
 
 
 def by_all(kite: str) -> Table:
@@ -197,14 +198,13 @@ def by_all(kite: str) -> Table:
 
 
 def pushed(parameters: Parameters, model: str) -> list[Motion]:
-    """A tap and a push, each for 6 s."""
-    return [
-        m for push in ((KEY, TAP), (1.0, PUSH)) for m in flown(parameters, Push(*push), 6.0, model)
-    ]
+    """A tap and a push, each for 6 s or until the tick before the ground."""
+    pushes = Push(KEY, TAP), Push(1.0, PUSH)
+    return [motion for push in pushes for motion in flown(parameters, push, 6.0, model)[:-1]]
 
 
 def largest_gap(some: list[Motion], others: list[Motion]) -> float:
-    """Largest distance [m] of the two, as long as both fly."""
+    """Largest distance [m] of the two."""
     return max(position_gap(a, b) for a, b in zip(some, others, strict=False))
 
 

@@ -9,16 +9,22 @@ About rest with the hands level, to first order (docs/handling.md derives them):
 σ is the lines' swing and ψ the nose's turn about them, both to the right [rad]; w the air from
 the right [m/s]. `e` is how far the side force acts ahead of the centre of mass G, `a` how far the
 tow points are.
+
+.venv/bin/python scripts/sway_yaw.py trainer
 """
 
+import sys
 from math import cos, sin
 from typing import NamedTuple
 
 import numpy as np
 
+from kitemj.equilibria.vary import value_of, with_value
 from kitemj.flight.equilibrium import equilibrium
+from kitemj.flight.scenario import parameters_named
 from kitemj.physics.aerodynamics import LinearAero
 from kitemj.physics.parameters import Parameters
+from kitemj.tables import Cell, Table, print_table
 
 
 class Levers(NamedTuple):
@@ -81,3 +87,34 @@ def _yaw(parameters: Parameters, theta: float) -> tuple[float, float]:
     assert isinstance(aero, LinearAero)
     turning = -(aero.Cn_r * c * c + aero.Cl_p * s * s) * kite.span**2 / (2 * aero.V_ref)
     return kite.inertia_x * s * s + kite.inertia_z * c * c, _pressure(parameters) * turning
+
+
+MORE = 0.2
+"""Of a parameter; how much it is made larger to see what it does."""
+VARIED = (
+    *("lines.length", "wind.speed", "kite.mass", "kite.inertia_z", "kite.x_A", "kite.z_A"),
+    *("kite.area", "kite.span", "aero.Cx_0", "aero.Cm_0", "aero.Cy_beta", "aero.Cl_beta"),
+    *("aero.Cl_p", "aero.Cn_beta", "aero.Cn_r"),
+)
+
+
+def sensitivity(kite: str) -> Table:
+    """A row for each parameter made larger, by itself: the levers and the slow eigenvalues."""
+    given, rows = parameters_named(kite), list[tuple[Cell, ...]]()
+    for name in ("as it is", *VARIED):
+        varied = given
+        if name in VARIED:
+            varied = with_value(given, name, (1 + MORE) * value_of(given, name))
+        lever, values = levers(varied), sway_yaw(varied)[:3]
+        slow = max(value.real for value in values)
+        swing = max((value for value in values), key=lambda value: value.imag)
+        shown = f"{swing.real:.2f} ± {swing.imag:.2f}i" if swing.imag else "none"
+        numbers = (f"{1e3 * lever.e:.0f}", f"{1e3 * lever.a:.0f}", f"{lever.authority:.1f}")
+        rows.append((name, *numbers, f"{lever.damping:.1f}", f"{slow:.2f}", shown))
+    columns = ("20 % more", "e [mm]", "a [mm]", "full stick / weight", "D/I [1/s]")
+    return Table(kite, (*columns, "slowest [1/s]", "swing [1/s]"), rows)
+
+
+if __name__ == "__main__":
+    for each in sys.argv[1:] or ["trainer"]:
+        print_table(sensitivity(each))
