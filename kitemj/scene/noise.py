@@ -1,6 +1,7 @@
 """What textures are made of: random fields without end, and colours that are mixed.
 
-Fields are tiles that repeat seamlessly. Colours are arrays (3, ...), red first, 0 to 1. The same seed gives the same field on every machine, so that two frames of one motion agree.
+Fields are tiles that repeat seamlessly; the same seed gives the same field on every machine.
+Colours are arrays (3, ...), red first, 0 to 1.
 """
 
 from functools import lru_cache

@@ -14,4 +14,4 @@ class Quality(NamedTuple):
     details: bool
 
 
-HIGH = Quality(768, 0, 1.0, True)
+HIGH = Quality(1024, 0, 1.0, True)

@@ -22,6 +22,7 @@ from kitemj.scene import scenery as look
 from kitemj.scene.canopy import surface_point
 from kitemj.scene.ground import EXTENT
 from kitemj.scene.quality import Quality
+from kitemj.scene.surroundings import Surroundings
 from kitemj.scene.views import NEAR, UP, Camera, downwind
 
 O_E = Vector(0.0, 0.0, 0.0)
@@ -50,13 +51,14 @@ class Scene:
     """The drawing model with its state; `mjv` is what MuJoCo renders."""
 
     def __init__(self, parameters: Parameters, width: int, height: int, quality: Quality) -> None:
-        self.parameters = parameters
+        self.parameters, self.rings = parameters, False
         self.model = look.drawing_model(parameters, width, height, quality)
         self.mjv = mujoco.MjvScene(self.model, MAX_GEOMS)
         self._data = mujoco.MjData(self.model)
         self._option = mujoco.MjvOption()
         self._free = mujoco.MjvCamera()
         self._references = np.flatnonzero(self.model.geom_group >= look.REFERENCE_GROUP)
+        self._surroundings = Surroundings(parameters, self.model)
         self.mjv.flags[:] = 0
         self.mjv.flags[[SKYBOX, CULL_FACE]] = 1
 
@@ -77,6 +79,7 @@ class Scene:
         visible = 0.0 if reference is None else _visibility(motion, reference, self.parameters)
         self._option.geomgroup[1:] = 0
         self._option.geomgroup[look.KITE + size] = 1
+        self._option.geomgroup[look.RING_GROUP] = self.rings
         self._option.geomgroup[look.REFERENCE_GROUP + size] = visible > 0
         model, data = self.model, self._data
         for mocap, each in enumerate((motion,) if reference is None else (motion, reference)):
@@ -87,6 +90,8 @@ class Scene:
         mujoco.mj_camlight(model, data)
         mujoco.mjv_updateScene(model, data, self._option, None, self._free, ALL, self.mjv)
         self._aim(camera)
+        enlarged = 1.0 if close else look.enlargement(self.parameters)
+        self._surroundings.add(self.mjv, motion, enlarged)
         self._add_lines(motion, COLOURS, 3.0 if close else 2.0)
         if reference is not None and visible > 0:
             self._add_lines(reference, (look.REFERENCE, look.REFERENCE), 1.0)
@@ -95,8 +100,9 @@ class Scene:
             self._add_bridles(motion)
             if forces:
                 self._add_forces(motion)
-        tail, tip = self.wind_arrow(motion, close)
-        self._arrow(tail, minus(tip, tail), WIND, 0.04 * norm(minus(tip, tail)))
+        if self.rings:
+            tail, tip = self.wind_arrow(motion, close)
+            self._arrow(tail, minus(tip, tail), WIND, 0.04 * norm(minus(tip, tail)))
 
     def wind_arrow(self, motion: Motion, close: bool) -> tuple[Vector, Vector]:
         """Tail and tip [m, E] of the arrow that shows the wind."""
