@@ -25,7 +25,7 @@ class FilmStyle(NamedTuple):
     """How a film looks; `rate` in frames/s, `speed` of the flight on the film."""
 
     size: tuple[int, int] = (1280, 720)
-    view: str = "chase"
+    view: str = "pilot"
     instruments: bool = True
     rate: int = FRAME_RATE
     speed: float = 1.0

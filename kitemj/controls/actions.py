@@ -6,7 +6,7 @@
 from collections.abc import Iterable
 from typing import NamedTuple
 
-VIEWS = ("chase", "pilot", "side", "top", "orbit")
+VIEWS = ("pilot", "chase", "side", "top", "orbit")
 """Where a picture can be seen from."""
 
 PANELS = ("flight", "air", "window", "chart", "lines", "knob", "model")

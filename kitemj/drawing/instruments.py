@@ -23,7 +23,7 @@ from kitemj.drawing.wind_window import WindWindow, bearing
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import SIDESLIP, STALL, TWIST, Numbers
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.scene import newtons_per_metre
+from kitemj.scene.forces import newtons_per_metre
 
 MARGIN = 12
 STRIP = 118  # height of the strip along the bottom

@@ -14,9 +14,8 @@ from kitemj.physics.frames import world
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector
 from kitemj.scene.airflow import Airflow
-from kitemj.scene.canopy import Mesh
 from kitemj.scene.ground import coast_distance
-from kitemj.scene.model_parts import add_mesh, add_shape, add_texture
+from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture
 from kitemj.scene.noise import on_grid, smooth, tile_of
 from kitemj.scene.sun import land_to_E
 from kitemj.scene.views import downwind
@@ -129,7 +128,8 @@ def bend(drift: float, strength: float, x: Floats, y: Floats) -> Floats:
 
 def clump_places(parameters: Parameters) -> Floats:
     """Rows (CLUMPS, 4): ahead and left [m, L], height in blades, turn [rad] of clumps of grass."""
-    rng, places = np.random.default_rng(21), []
+    rng = np.random.default_rng(21)
+    places: list[tuple[float, ...]] = []
     edge = 0.8 * coast_distance(parameters.lines.length)
     while len(places) < CLUMPS:
         if len(places) % 2:  # along the beach

@@ -7,9 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.canopy import Mesh
 from kitemj.scene.ground import squares
-from kitemj.scene.model_parts import FLAT, SKYBOX, add_blank_texture, add_mesh, add_shape
+from kitemj.scene.model_parts import FLAT, SKYBOX, Mesh, add_blank_texture, add_mesh, add_shape
 from kitemj.scene.sky import sky
 from kitemj.scene.sun import land_turn
 

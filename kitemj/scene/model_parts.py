@@ -1,15 +1,21 @@
 """Meshes, textures and shapes added to the specification of a drawing model."""
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.mujoco_import import mujoco
-from kitemj.scene.canopy import Mesh
 
 FLAT = mujoco.mjtTexture.mjTEXTURE_2D
 SKYBOX = mujoco.mjtTexture.mjTEXTURE_SKYBOX
+
+
+class Mesh(NamedTuple):
+    """Vertices (n, 3) [m, W] and the triangles (m, 3) that index them, outside to the front."""
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int32]
 
 
 def add_mesh(spec: Any, name: str, mesh: Mesh, texcoord: Any = ()) -> None:

@@ -5,11 +5,12 @@ Colours are arrays (3, ...), red first, 0 to 1.
 """
 
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Field = NDArray[np.float32]
+Field = NDArray[np.floating[Any]]
 Colour = tuple[float, float, float]
 SIDE = 512  # texels of a tile
 

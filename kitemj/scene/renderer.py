@@ -54,6 +54,7 @@ class Renderer(Closing):
         rows = mujoco.MjrRect(box.left, bottom, box.width, box.height)
         with self._graphics.context.as_current():
             self.scene.fill(motion, reference, camera, forces)
+            self.scene.upload(self._context)
             mujoco.mjr_render(rows, self.scene.mjv, self._context)
 
     def frame(self) -> NDArray[np.uint8]:

@@ -1,7 +1,6 @@
 """The MuJoCo model that is only drawn: ground, sky, rings and two kites.
 
-It has no dynamics. The kite and its reference are mocap bodies, each with a true canopy and an
-enlarged one for the wide views; groups choose which are drawn.
+It has no dynamics.
 """
 
 from math import log10
@@ -13,19 +12,14 @@ from kitemj.mujoco_import import mujoco
 from kitemj.physics.frames import world
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import times
-from kitemj.scene.canopy import Mesh, canopy
+from kitemj.scene.cloth import WHITE
 from kitemj.scene.field import add_field
+from kitemj.scene.kites import add_kites
 from kitemj.scene.landscape import add_landscape
-from kitemj.scene.model_parts import add_mesh, add_shape, add_texture, paint_texture
+from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture, paint_texture
 from kitemj.scene.quality import Quality
 from kitemj.scene.sun import sun
 
-RED = (0.90, 0.10, 0.12)  # the pilot's left, A₊
-BLUE = (0.10, 0.24, 0.95)  # the pilot's right, A₋
-WHITE = (0.96, 0.96, 0.94)
-REFERENCE = (1.0, 0.93, 0.55)
-
-KITE, REFERENCE_GROUP = 1, 3  # groups for one who is near the kite; one more: for the wide views
 RING_GROUP = 5
 AMBIENT = 0.55
 RINGS = 6
@@ -54,7 +48,7 @@ def drawing_model(parameters: Parameters, width: int, height: int, quality: Qual
     pictures = add_landscape(spec, parameters, quality.texels)
     add_field(spec, parameters)
     _add_rings(spec, parameters.lines.length)
-    _add_kites(spec, parameters)
+    add_kites(spec, parameters)
     model = spec.compile()
     for name, picture in pictures.items():
         paint_texture(model, name, picture)
@@ -65,11 +59,6 @@ def ring_step(length: float) -> float:
     """Distance [m] between rings around O_E: 1, 2 or 5 times a power of ten, near L₀/4."""
     decade = 10.0 ** np.floor(log10(length / 4))
     return float(max(s * decade for s in (1, 2, 5) if s * decade <= length / 4 * 1.001))
-
-
-def enlargement(parameters: Parameters) -> float:
-    """The factor by which wide views enlarge the kite, so that it can be seen at all."""
-    return max(1.0, 0.14 * parameters.lines.length / parameters.kite.span)
 
 
 def _add_rings(spec: Any, length: float) -> None:
@@ -102,21 +91,3 @@ def _annulus(inner: float, outer: float) -> Mesh:
     i, j = np.arange(sides), (np.arange(sides) + 1) % sides
     faces = np.concatenate([np.stack([i, i + sides, j + sides], 1), np.stack([i, j + sides, j], 1)])
     return Mesh(np.concatenate([inner * circle, outer * circle]), faces.astype(np.int32))
-
-
-def _add_kites(spec: Any, parameters: Parameters) -> None:
-    for size, scale in enumerate((1.0, enlargement(parameters))):
-        for part, mesh in canopy(parameters.kite, scale).items():
-            add_mesh(spec, f"{part}_{size}", mesh)
-    spec.add_material(name="cloth", emission=0.3, specular=0.1)  # light shines through it
-    for name, group in (("kite", KITE), ("reference", REFERENCE_GROUP)):
-        body = spec.worldbody.add_body(name=name, mocap=True)
-        for part in canopy(parameters.kite):
-            rgba = [*REFERENCE, 1] if name == "reference" else [*_colour(part), 1]
-            for size in (0, 1):
-                add_shape(body, f"{part}_{size}", material="cloth", rgba=rgba, group=group + size)
-
-
-def _colour(part: str) -> tuple[float, ...]:
-    base = {"plus": RED, "minus": BLUE, "stripe": WHITE}[part.split("_")[0]]
-    return tuple(0.72 * c for c in base) if part.endswith("dark") else base

@@ -15,7 +15,7 @@ from kitemj.scene.sun import SUN, land_turn
 
 HORIZON = (0.90, 0.93, 0.93)
 LOW = (0.60, 0.79, 0.93)  # of the sky some 15° up
-ZENITH = (0.16, 0.38, 0.74)
+ZENITH = (0.19, 0.43, 0.78)
 WARM = (1.0, 0.96, 0.86)
 CLOUD, SHADE = (1.0, 0.995, 0.98), (0.74, 0.80, 0.88)
 HILLS = ((0.66, 0.75, 0.82), (0.52, 0.63, 0.66), (0.40, 0.51, 0.45))  # far, nearer, near
@@ -98,7 +98,7 @@ def _with_clouds(colour: Field, ahead: Field, left: Field, up: Field) -> Field:
     wisps = 0.22 * smooth(0.3, 2.4, at(detail, 0.35 * x + 0.3, 1.5 * y))
     clouded = np.flatnonzero(cover > wisps)
     light = np.ones_like(up).ravel()
-    x, y, fine, here = (field.flat[clouded] for field in (x, y, fine, here))
+    x, y, fine, here = (np.asarray(each).flat[clouded] for each in (x, y, fine, here))
     lit = here - 0.16 * fine - at(shape, x + 0.014 * SUN.x, y + 0.014 * SUN.y)
     light[clouded] = np.clip(0.84 + 0.9 * lit + 0.07 * fine - 0.3 * smooth(1.0, 2.6, here), 0, 1)
     cover = np.maximum(cover, wisps) * smooth(0.0, 0.16, up)

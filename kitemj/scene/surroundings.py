@@ -2,11 +2,10 @@
 
 from typing import Any
 
-import numpy as np
-
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.scene.canopy import canopy
+from kitemj.scene.cloth import Fill
 from kitemj.scene.field import Field
 from kitemj.scene.shadow import add_shadow, few_points
 from kitemj.scene.sun import sun
@@ -19,8 +18,7 @@ class Surroundings:
     def __init__(self, parameters: Parameters, model: Any) -> None:
         self._sun, self._signs = sun(parameters), WindSigns(parameters)
         self._field = Field(parameters, model)
-        meshes = canopy(parameters.kite).values()
-        self._kite = few_points(np.concatenate([mesh.vertices for mesh in meshes]))
+        self._kite = few_points(canopy(parameters.kite).shape(Fill(1.0, 1.0, 0.0)))
 
     def add(self, mjv: Any, motion: Motion, scale: float) -> None:
         """Adds them to the scene of `motion`, whose kite is drawn `scale` times as large."""

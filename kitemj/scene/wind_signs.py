@@ -100,7 +100,8 @@ def ribbon(top: Vector, v: Vector, usual: float, t: float) -> NDArray[np.float64
     low = down + 0.16 * np.sin(0.6 * phase + 1.0) * s
     ahead = np.cos(yaw)[:, None] * along + np.sin(yaw)[:, None] * aside
     steps = np.cos(low)[:, None] * ahead - np.sin(low)[:, None] * np.array(UP)
-    return np.array(top) + np.concatenate([[np.zeros(3)], RIBBON / PIECES * np.cumsum(steps, 0)])
+    way = np.concatenate([[np.zeros(3)], RIBBON / PIECES * np.cumsum(steps, 0)])
+    return np.asarray(np.array(top) + way)
 
 
 def _add_sock(mjv: Any, points: list[Vector]) -> None:
