@@ -59,7 +59,7 @@ class Field:
     """Places gusts and grass in scenes of a drawing model."""
 
     def __init__(self, parameters: Parameters, model: Any) -> None:
-        self._parameters, self._air = parameters, Airflow(parameters)
+        self._parameters, self._model, self._air = parameters, model, Airflow(parameters)
         self._gusts = {model.geom(f"gust_{k}").id: k for k in range(GUSTS)}
         self._clumps = {model.geom(f"clump_{k}").id: k for k in range(CLUMPS)}
         self._places = clump_places(parameters)
@@ -69,6 +69,11 @@ class Field:
         wind = world(downwind(parameters))
         self._wind = np.array(wind)
         self._turn = np.array([wind, (-wind.y, wind.x, 0.0), (0.0, 0.0, 1.0)]).T
+
+    def show(self, shown: bool) -> None:
+        """Says whether scenes that are made from now on have gusts and grass."""
+        alpha = self._model.geom_rgba[:, 3]
+        alpha[[*self._gusts]], alpha[[*self._clumps]] = (0.5, 1.0) if shown else (0.0, 0.0)
 
     def place(self, mjv: Any, t: float) -> None:
         """Moves what `mjv_updateScene` has put into the scene to where it is at `t` [s]."""
@@ -86,10 +91,8 @@ class Field:
                 self._place_gust(geom, self._gusts[number], drift, strength)
             elif number in self._clumps:
                 k = self._clumps[number]
-                geom.pos[:], geom.mat[:] = (
-                    self._feet[k] + shapes[k] @ geom.pos,
-                    shapes[k] @ geom.mat,
-                )
+                geom.pos[:] = self._feet[k] + shapes[k] @ geom.pos
+                geom.mat[:] = shapes[k] @ geom.mat
 
     def _place_gust(self, geom: Any, number: int, drift: float, strength: float) -> None:
         ahead, left, alpha = gust(self._parameters, number, drift, strength)

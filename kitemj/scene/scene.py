@@ -48,7 +48,7 @@ class Scene:
         self._option = mujoco.MjvOption()
         self._free = mujoco.MjvCamera()
         self._references = np.flatnonzero(self.model.geom_group == REFERENCE_GROUP)
-        self._surroundings = Surroundings(parameters, self.model)
+        self.surroundings = Surroundings(parameters, self.model)
         self._sails = Sails(parameters, self.model)
         self._strokes = Strokes(self.mjv)
         self.mjv.flags[:] = 0
@@ -83,7 +83,7 @@ class Scene:
         mujoco.mj_camlight(model, data)
         mujoco.mjv_updateScene(model, data, self._option, None, self._free, ALL, self.mjv)
         self._aim(camera)
-        self._surroundings.add(self.mjv, motion, enlargement(self.parameters) if wide else 1.0)
+        self.surroundings.add(self.mjv, motion, enlargement(self.parameters) if wide else 1.0)
         scale = self._figure_scale(camera)
         held = Hands(*(times(scale, hand) for hand in hands(self.parameters, motion)))
         add_lines(strokes, motion, held, LINE * self._unit)

@@ -20,6 +20,10 @@ class Surroundings:
         self._field = Field(parameters, model)
         self._kite = few_points(canopy(parameters.kite).shape(Fill(1.0, 1.0, 0.0)))
 
+    def show_details(self, shown: bool) -> None:
+        """Says whether scenes that are made from now on have grass and gusts."""
+        self._field.show(shown)
+
     def add(self, mjv: Any, motion: Motion, scale: float) -> None:
         """Adds them to the scene of `motion`, whose kite is drawn `scale` times as large."""
         self._field.place(mjv, motion.t)
