@@ -160,7 +160,7 @@ def _gust_texture() -> NDArray[np.float32]:
 
 def _blade_texture(tip: tuple[float, float, float]) -> NDArray[np.uint8]:
     """Dark at the foot, where v is 0, and the colour `tip` at v = 1."""
-    shade = np.linspace(0.45, 1.25, 16)[:, None, None] * np.array(tip)
+    shade = np.linspace(0.6, 1.4, 16)[:, None, None] * np.array(tip)
     return np.asarray(np.clip(255 * np.repeat(shade, 16, axis=1), 0, 255), np.uint8)
 
 

@@ -115,7 +115,7 @@ def _with_hills(colour: Field, ahead: Field, left: Field, up: Field) -> Field:
         ridge = 1 + 0.33 * at(tile, row, (k + 2) * bearing)
         open_sea = smooth(0.055 + 0.022 * k, 0.15 + 0.03 * k, aside)
         top = height * ridge * open_sea - 0.002
-        cover = smooth(-0.0016, 0.0016, top - up)
-        mist = 0.75 - 0.5 * np.clip(up / np.maximum(top, 1e-3), 0, 1)
-        colour = mixed(colour, mixed(hill, HORIZON, mist * 0.8), cover)
+        cover = smooth(-0.0016, 0.0016, top - up) * smooth(0.0, 0.1, open_sea)
+        mist = 1.0 - 0.75 * np.clip(up / np.maximum(top, 1e-3), 0, 1) ** 0.7
+        colour = mixed(colour, mixed(hill, HORIZON, mist), cover)
     return colour
