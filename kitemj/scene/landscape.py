@@ -49,9 +49,7 @@ def _square(inner: float, outer: float) -> Mesh:
         edge[[third, 2 * third]] = -inner, inner
     corners = np.array([(a, b, 0.0) for a in edge for b in edge])
     middle = set(range(third, 2 * third)) if inner else set()
-    cells = [
-        (i, j) for i in range(CELLS) for j in range(CELLS) if i not in middle or j not in middle
-    ]
+    cells = [(i, j) for i in range(CELLS) for j in range(CELLS) if {i, j} - middle]
     a = np.array([i * (CELLS + 1) + j for i, j in cells])
     b, c, d = a + CELLS + 1, a + CELLS + 2, a + 1
     faces = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
