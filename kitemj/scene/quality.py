@@ -3,6 +3,8 @@
 from statistics import median
 from typing import NamedTuple
 
+from kitemj.errors import InputError
+
 
 class Quality(NamedTuple):
     """What a frame is painted with.
@@ -24,7 +26,16 @@ QUALITIES = {
 }
 HIGH = QUALITIES["high"]
 FILM = HIGH._replace(samples=4)
-"""For frames that nobody waits for."""
+"""For frames that nobody waits for; "film"."""
+
+
+def quality_of(name: str) -> Quality:
+    """The quality of this name; InputError where there is none."""
+    known = QUALITIES | {"film": FILM}
+    if name not in known:
+        raise InputError(f"there is no quality {name!r}; there are: {', '.join(known)}, auto")
+    return known[name]
+
 
 PERIOD = 1.0  # s of frames that are measured
 BATCH = 6  # frames from which a step is decided
