@@ -119,7 +119,7 @@ def gust(
     ahead = first + share * (last - first)
     near = min(1.0, share / 0.15, (1.0 - share) / 0.2)  # none comes or goes at once
     alpha = GUST_ALPHA * near * min(strength**3, 2.0)
-    return ahead, aside * (2.2 * wide + 0.5 * max(ahead, 0.0)), alpha
+    return ahead, aside * (2.0 * wide + 0.3 * last), alpha
 
 
 def bend(drift: float, strength: float, x: Floats, y: Floats) -> Floats:
