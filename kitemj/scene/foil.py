@@ -42,8 +42,8 @@ def foil(kite: Kite) -> Cloth:
         faces,
         np.stack([s.ravel(), t.ravel()], axis=1),
         _cells(),
-        lambda fill: [],
-        lambda fill, side: [point(kite, side * a, b) for a, b in product(RIBS, ROWS)],
+        np.empty((0, 2, 3)),
+        np.array([point(kite, side * a, b) for side, a, b in product((1, -1), RIBS, ROWS)]),
     )
 
 

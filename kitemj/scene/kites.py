@@ -13,7 +13,7 @@ from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, dot, minus, norm
 from kitemj.scene.canopy import canopy
-from kitemj.scene.cloth import Fill, Points, fill_of, normals
+from kitemj.scene.cloth import Fill, Normals, Points, fill_of
 
 KITE, REFERENCE_GROUP = 1, 3  # groups of the true size; one more: enlarged
 REFERENCE = (1.0, 0.93, 0.55)
@@ -38,7 +38,7 @@ def add_kites(spec: Any, parameters: Parameters) -> None:
     spec.add_material(name="sail", textures=layers, emission=GLOW, specular=0.05)
     spec.add_material(name="reference", emission=GLOW, specular=0.0)
     points = cloth.shape(Fill(1.0, 1.0, 0.0))
-    points += APART * normals(points, cloth.faces)  # or equal vertices become one
+    points += APART * Normals(cloth.faces).of(points)  # or equal vertices become one
     for index, scale in enumerate((1.0, enlargement(parameters))):
         mesh = spec.add_mesh(
             name=f"sail_{index}",
@@ -70,20 +70,20 @@ class Sails:
     def __init__(self, parameters: Parameters, model: Any) -> None:
         self._parameters, self._model = parameters, model
         self.cloth = canopy(parameters.kite)
+        self._normals = Normals(self.cloth.faces)
         self._meshes = [model.mesh(f"sail_{index}").id for index in (0, 1)]
         self._scales = (1.0, enlargement(parameters))
         self._material = model.material("sail").id
         self._set: dict[int, Fill] = {}
         self._stale: set[int] = set()
 
-    def fill(self, motion: Motion, wide: bool) -> Fill:
+    def fill(self, motion: Motion, wide: bool) -> None:
         """Fills the sail that is seen as the wind of `motion` does."""
         index, fill = int(wide), fill_of(self._parameters, motion)
         if self._set.get(index) != fill:
             self._set[index] = fill
             self._stale.add(index)
             self._move(index, self._scales[index] * self.cloth.shape(fill))
-        return fill
 
     def _move(self, index: int, points: Points) -> None:
         """Writes vertices [m, B] and their normals where the compiler put the mesh."""
@@ -94,7 +94,7 @@ class Sails:
         rows, turned = slice(first, first + number), turn.reshape(3, 3)
         model.mesh_vert[rows] = (points - model.mesh_pos[mesh]) @ turned
         start = model.mesh_normaladr[mesh]
-        model.mesh_normal[start : start + number] = normals(points, self.cloth.faces) @ turned
+        model.mesh_normal[start : start + number] = self._normals.of(points) @ turned
 
     def light(self, motion: Motion, eye: Vector, sun: Vector) -> None:
         """Lets the light of a `sun` [E, where it shines to] through, where it falls from behind."""

@@ -26,7 +26,7 @@ from kitemj.scene.views import NEAR, UP, Camera, downwind
 O_E = Vector(0.0, 0.0, 0.0)
 MAX_GEOMS = 400
 FIGURE = 0.05  # least height of the pilot in parts of the frame's, seen from afar
-LINE, THIN = 1.5, 1.0  # px of 720 rows
+LINE, THIN = 2, 1  # px of 720 rows
 WIND = (0.75, 0.95, 1.0)
 
 ALL = int(mujoco.mjtCatBit.mjCAT_ALL)
@@ -37,7 +37,7 @@ class Scene:
     """The drawing model with its state; `mjv` is what MuJoCo renders."""
 
     def __init__(self, parameters: Parameters, width: int, height: int, software: bool) -> None:
-        self.parameters, self._unit = parameters, max(height / 720, 0.6)
+        self.parameters, self._line = parameters, max(1, round(LINE * height / 720))
         self.model = look.drawing_model(parameters, width, height, software)
         self.mjv = mujoco.MjvScene(self.model, MAX_GEOMS)
         self._data = mujoco.MjData(self.model)
@@ -71,7 +71,7 @@ class Scene:
             data.mocap_pos[mocap] = world(each.body.p_G_E)
             data.mocap_quat[mocap] = world_quaternion(quaternion(each.body.R_BE))
         model.geom_rgba[self._references, 3] = 0.5 * visible
-        filled = self._sails.fill(motion, wide)
+        self._sails.fill(motion, wide)
         self._sails.light(motion, camera.position, world(Vector(*look.SUN)))
         mujoco.mj_kinematics(model, data)
         mujoco.mj_camlight(model, data)
@@ -79,12 +79,12 @@ class Scene:
         self._aim(camera)
         scale = self._figure_scale(camera)
         held = Hands(*(times(scale, hand) for hand in hands(self.parameters, motion)))
-        add_lines(strokes, motion, held, LINE * self._unit)
+        add_lines(strokes, motion, held, THIN if wide else self._line)
         if reference is not None and visible > 0:
-            add_lines(strokes, reference, held, THIN * self._unit, REFERENCE)
+            add_lines(strokes, reference, held, THIN, REFERENCE)
         add_pilot(strokes, self.parameters, motion, scale)
         if not wide:
-            add_bridle(strokes, self.parameters, motion, self._sails.cloth, filled)
+            add_bridle(strokes, self.parameters, motion, self._sails.cloth)
         if forces:
             if camera.near:
                 add_forces(strokes, self.parameters, motion)
