@@ -67,14 +67,14 @@ def usual_force(parameters: Parameters) -> float:
     return max(weight + 0.15 * parameters.environment.air_density * kite.area * V * V, 1e-6)
 
 
-def sheet(rows: int, columns: int, closed: bool = False) -> NDArray[np.int32]:
-    """Triangles of a grid of `rows` x `columns` vertices; `closed`: the last row meets the first.
+def sheet(rows: int, columns: int) -> NDArray[np.int32]:
+    """Triangles of a grid of `rows` x `columns` vertices.
 
     The face is where rows, columns and the way outside make a right hand.
     """
-    i, j = np.meshgrid(np.arange(rows if closed else rows - 1), np.arange(columns - 1))
+    i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1))
     a = (i * columns + j).ravel()
-    c = ((i + 1) % rows * columns + j).ravel()
+    c = a + columns
     both = np.concatenate([np.stack([a, c, c + 1], 1), np.stack([a, c + 1, a + 1], 1)])
     return both.astype(np.int32)
 

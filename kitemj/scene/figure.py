@@ -29,7 +29,7 @@ SHOES: Colour = (0.90, 0.90, 0.88)
 
 WEIGHT = 75.0 * 9.81  # N, of a person
 LEAN = 0.35  # rad, at most
-HANDS = np.array([0.42, 0.17, 1.22])  # at rest, the left one
+HANDS = np.array([0.40, 0.24, 1.24])  # at rest, the left one
 RAISED = 0.30  # m, how much higher the hands are for a kite overhead
 ARM = 0.36  # m, how far a hand moves to and fro at most
 SHOULDER = np.array([0.0, 0.20, 1.41])
@@ -40,8 +40,8 @@ Limb = tuple[ArrayLike, ArrayLike, float, Colour]
 """From where to where, radius, colour."""
 BODY: tuple[Limb, ...] = (
     ((0.0, 0.07, 0.92), (0.0, -0.07, 0.92), 0.115, TROUSERS),
-    ((0.0, 0.05, 1.02), (0.0, 0.07, 1.28), 0.118, SHIRT),
-    ((0.0, -0.05, 1.02), (0.0, -0.07, 1.28), 0.118, SHIRT),
+    ((0.0, 0.035, 1.02), (0.0, 0.05, 1.28), 0.125, SHIRT),
+    ((0.0, -0.035, 1.02), (0.0, -0.05, 1.28), 0.125, SHIRT),
     ((0.0, 0.12, 1.36), (0.0, -0.12, 1.36), 0.105, SHIRT),
     ((0.0, 0.0, 1.44), (0.02, 0.0, 1.64), 0.055, SKIN),
     ((0.03, 0.0, 1.66), (0.03, 0.0, 1.66), 0.105, SKIN),

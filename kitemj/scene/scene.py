@@ -28,6 +28,7 @@ MAX_GEOMS = 400
 FIGURE = 0.05  # least height of the pilot in parts of the frame's, seen from afar
 LINE, THIN = 2, 1  # px of 720 rows
 WIND = (0.75, 0.95, 1.0)
+TO_SUN = world(times(-1.0 / norm(Vector(*look.SUN)), Vector(*look.SUN)))
 
 ALL = int(mujoco.mjtCatBit.mjCAT_ALL)
 SKYBOX, CULL_FACE = int(mujoco.mjtRndFlag.mjRND_SKYBOX), int(mujoco.mjtRndFlag.mjRND_CULL_FACE)
@@ -71,8 +72,7 @@ class Scene:
             data.mocap_pos[mocap] = world(each.body.p_G_E)
             data.mocap_quat[mocap] = world_quaternion(quaternion(each.body.R_BE))
         model.geom_rgba[self._references, 3] = 0.5 * visible
-        self._sails.fill(motion, wide)
-        self._sails.light(motion, camera.position, world(Vector(*look.SUN)))
+        self._sails.fill(motion, wide, TO_SUN)
         mujoco.mj_kinematics(model, data)
         mujoco.mj_camlight(model, data)
         mujoco.mjv_updateScene(model, data, self._option, None, self._free, ALL, self.mjv)
