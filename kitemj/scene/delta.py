@@ -165,11 +165,11 @@ def _panels() -> NDArray[np.uint8]:
     image[ray > 0.74] *= 0.62
     dyed(image, ray < 0.20, WHITE)
     image[ray < 0.075] = (0.98, 0.78, 0.16)
+    for seam in (0.20, 0.47, 0.74):
+        image[np.abs(ray - seam) * down < 0.006] *= 0.55
     for side, bands in ((left, (0.66,)), (~left, (0.58, 0.74))):
         for band in bands:
             dyed(image, side & (np.abs(u - band) < 0.045), WHITE)
-    for seam in (0.20, 0.47, 0.74):
-        image[np.abs(ray - seam) * down < 0.006] *= 0.55
     behind = _trailing(u.ravel()).reshape(u.shape) - down
     dyed(image, behind < 0.016, DARK)
     dyed(image, (1 - ray) * down < 0.022, DARK)

@@ -18,7 +18,7 @@ NEAR = 0.25  # m, closer is not drawn
 HIGHEST = radians(85.0)  # elevation of an orbit
 LOWEST = 0.6  # m above the ground that an eye stands
 NEAR_ORBIT = 8.0  # spans, up to here the kite is seen with its forces
-OVERHEAD = 0.35  # how far from the zenith, in parts of the lines, yaws begin to go to zero
+OVERHEAD = 0.7  # how far from the zenith, in parts of the lines, yaws begin to go to zero
 
 BEHIND, ASIDE, EYE = 5.0, 0.9, 1.5  # m from O_E: behind the pilot, to the right, above ground
 HORIZON = 0.77  # half heights of the frame below its middle
