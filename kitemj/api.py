@@ -155,7 +155,7 @@ def film(
     size: tuple[int, int] = (1280, 720),
     rate: int = 30,
     speed: float = 1.0,
-    instruments: bool = True,
+    instruments: str = "pilot",
     overwrite: bool = False,
 ) -> Path:
     """Films a flight, a recording or a scenario, and returns the film's path.
@@ -166,7 +166,7 @@ def film(
     `size`: width and height [px]
     `rate`: frames/s of the film
     `speed`: of the flight on the film, 2: twice as fast as it was
-    `instruments`: whether they are shown
+    `instruments`: how much is shown over the view: pilot, engineer or none
     `overwrite`: whether a file that is there may be replaced
 
     Raises InputError, and NoGraphics where nothing can draw.

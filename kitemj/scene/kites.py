@@ -14,6 +14,7 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, rotated
 from kitemj.scene.canopy import canopy
 from kitemj.scene.cloth import Fill, Normals, fill_of
+from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture
 
 KITE, REFERENCE_GROUP = 1, 3  # groups of the true size; one more: enlarged
 REFERENCE = (1.0, 0.93, 0.55)
@@ -29,39 +30,20 @@ def enlargement(parameters: Parameters) -> float:
 def add_kites(spec: Any, parameters: Parameters) -> None:
     """Adds the bodies "kite" and "reference", moved by mocap in this order."""
     cloth = canopy(parameters.kite)
-    height, width, channels = cloth.image.shape
-    size = {"width": width, "height": height, "nchannel": channels}
-    kind = mujoco.mjtTexture.mjTEXTURE_2D
-    spec.add_texture(name="sail", type=kind, **size, data=cloth.image.ravel())
-    layers = [""] * int(mujoco.mjtTextureRole.mjNTEXROLE)
-    layers[int(mujoco.mjtTextureRole.mjTEXROLE_RGB)] = "sail"
-    spec.add_material(name="sail", textures=layers, emission=GLOW, specular=0.05)
+    add_texture(spec, "sail", mujoco.mjtTexture.mjTEXTURE_2D, cloth.image)
+    spec.material("sail").emission = GLOW
     spec.add_material(name="reference", emission=GLOW, specular=0.0)
     points = cloth.shape(Fill(1.0, 1.0, 0.0))
     points += APART * Normals(cloth.faces).of(points)  # or equal vertices become one
     for index, scale in enumerate((1.0, enlargement(parameters))):
-        mesh = spec.add_mesh(
-            name=f"sail_{index}",
-            uservert=(scale * points).ravel(),
-            userface=cloth.faces.ravel(),
-            usertexcoord=cloth.places.ravel(),
-        )
-        mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        add_mesh(spec, f"sail_{index}", Mesh(scale * points, cloth.faces), cloth.places)
     for name, material, rgba, group in (
         ("kite", "sail", [1, 1, 1, 1], KITE),
         ("reference", "reference", [*REFERENCE, 1], REFERENCE_GROUP),
     ):
         body = spec.worldbody.add_body(name=name, mocap=True)
         for index in (0, 1):
-            body.add_geom(
-                type=mujoco.mjtGeom.mjGEOM_MESH,
-                meshname=f"sail_{index}",
-                material=material,
-                rgba=rgba,
-                group=group + index,
-                contype=0,
-                conaffinity=0,
-            )
+            add_shape(body, f"sail_{index}", material=material, rgba=rgba, group=group + index)
 
 
 class Sails:

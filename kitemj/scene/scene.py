@@ -18,9 +18,12 @@ from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times
 from kitemj.scene import scenery as look
 from kitemj.scene.figure import Hands, add_pilot, hands
 from kitemj.scene.forces import add_forces
+from kitemj.scene.ground import EXTENT
 from kitemj.scene.kites import KITE, REFERENCE, REFERENCE_GROUP, Sails
 from kitemj.scene.lines import add_bridle, add_lines, from_body
+from kitemj.scene.quality import Quality
 from kitemj.scene.strokes import Strokes
+from kitemj.scene.sun import sun
 from kitemj.scene.views import NEAR, UP, Camera, downwind
 
 O_E = Vector(0.0, 0.0, 0.0)
@@ -28,7 +31,6 @@ MAX_GEOMS = 400
 FIGURE = 0.05  # least height of the pilot in parts of the frame's, seen from afar
 LINE, THIN = 2, 1  # px of 720 rows
 WIND = (0.75, 0.95, 1.0)
-TO_SUN = world(times(-1.0 / norm(Vector(*look.SUN)), Vector(*look.SUN)))
 
 ALL = int(mujoco.mjtCatBit.mjCAT_ALL)
 SKYBOX, CULL_FACE = int(mujoco.mjtRndFlag.mjRND_SKYBOX), int(mujoco.mjtRndFlag.mjRND_CULL_FACE)
@@ -37,9 +39,9 @@ SKYBOX, CULL_FACE = int(mujoco.mjtRndFlag.mjRND_SKYBOX), int(mujoco.mjtRndFlag.m
 class Scene:
     """The drawing model with its state; `mjv` is what MuJoCo renders."""
 
-    def __init__(self, parameters: Parameters, width: int, height: int, software: bool) -> None:
-        self.parameters, self._line = parameters, max(1, round(LINE * height / 720))
-        self.model = look.drawing_model(parameters, width, height, software)
+    def __init__(self, parameters: Parameters, width: int, height: int, quality: Quality) -> None:
+        self.parameters = parameters
+        self.model = look.drawing_model(parameters, width, height, quality)
         self.mjv = mujoco.MjvScene(self.model, MAX_GEOMS)
         self._data = mujoco.MjData(self.model)
         self._option = mujoco.MjvOption()
@@ -56,13 +58,15 @@ class Scene:
         reference: Motion | None,
         camera: Camera,
         forces: bool = True,
+        rows: int = 720,
     ) -> None:
-        """Makes the scene of `motion` as `camera` sees it.
+        """Makes the scene of `motion` as `camera` sees it in a picture of so many `rows`.
 
         One that is near the kite sees force arrows, unless `forces` is off. Then also the wind
         has no arrow.
         """
         wide, strokes = camera.wide, self._strokes
+        line = THIN if wide else max(THIN, round(LINE * rows / 720))
         visible = 0.0 if reference is None else _visibility(motion, reference, self.parameters)
         self._option.geomgroup[1:] = 0
         self._option.geomgroup[KITE + wide] = 1
@@ -72,14 +76,14 @@ class Scene:
             data.mocap_pos[mocap] = world(each.body.p_G_E)
             data.mocap_quat[mocap] = world_quaternion(quaternion(each.body.R_BE))
         model.geom_rgba[self._references, 3] = 0.5 * visible
-        self._sails.fill(motion, wide, TO_SUN)
+        self._sails.fill(motion, wide, sun(self.parameters))
         mujoco.mj_kinematics(model, data)
         mujoco.mj_camlight(model, data)
         mujoco.mjv_updateScene(model, data, self._option, None, self._free, ALL, self.mjv)
         self._aim(camera)
         scale = self._figure_scale(camera)
         held = Hands(*(times(scale, hand) for hand in hands(self.parameters, motion)))
-        add_lines(strokes, motion, held, THIN if wide else self._line)
+        add_lines(strokes, motion, held, line)
         if reference is not None and visible > 0:
             add_lines(strokes, reference, held, THIN, REFERENCE)
         add_pilot(strokes, self.parameters, motion, scale)
@@ -113,7 +117,7 @@ class Scene:
         for eye in self.mjv.camera:
             eye.pos, eye.forward, eye.up = (world(v_E) for v_E in camera[:3])
             eye.frustum_center, eye.frustum_top, eye.frustum_bottom = 0.0, top, -top
-            eye.frustum_near, eye.frustum_far = NEAR, 2 * look.EXTENT
+            eye.frustum_near, eye.frustum_far = NEAR, 2 * EXTENT
 
     def _figure_scale(self, camera: Camera) -> float:
         """How much taller than a person the pilot is drawn, to be seen in a wide view."""
