@@ -30,7 +30,7 @@ LOW, HIGH = radians(35.0), radians(60.0)
 
 CHASE_FIELD = radians(50.0)
 CHASE_SPANS = 3.6  # from the kite
-CHASE_ABOVE = radians(2.5)  # the lines, which else would be seen from their end
+CHASE_ABOVE = radians(5.0)  # the lines, which else would be seen from their end
 CHASE_LOW = radians(3.0)  # how much lower than the kite it looks
 LEAST_EYE = 0.7  # m above the ground
 
