@@ -88,7 +88,9 @@ class Scene:
             add_lines(strokes, reference, held, THIN, REFERENCE)
         add_pilot(strokes, self.parameters, motion, scale)
         if not wide:
-            add_bridle(strokes, self.parameters, motion, self._sails.cloth)
+            far = norm(minus(motion.body.p_G_E, camera.position))
+            seen = self.parameters.kite.span / far * rows / 2 / tan(camera.field / 2)
+            add_bridle(strokes, self.parameters, motion, self._sails.cloth, seen)
         if forces:
             if camera.near:
                 add_forces(strokes, self.parameters, motion)
