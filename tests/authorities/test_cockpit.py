@@ -22,7 +22,8 @@ from kitemj.physics.vectors import Rotation, Vector, cross, minus, norm, times
 from kitemj.physics.wind import Wind
 from kitemj.pilots.crash import touch_at
 from kitemj.pilots.sight import sight
-from kitemj.scene.scene import Scene, hanging
+from kitemj.scene.lines import hanging
+from kitemj.scene.scene import Scene
 from kitemj.scene.views import CAMERAS, Orbit, downwind, looking, orbiting, pixel
 from tests.authorities.by_hand import DOWN, LEFT, LEVEL, RIGHT, UP, UPWIND, ZERO, motion
 from tests.support import LAKSA
@@ -96,7 +97,7 @@ def test_views_show_what_is_left_on_the_left():
     assert seen_at("side", upwind)[0] < seen_at("side", ahead)[0], "from left to right"
     assert seen_at("top", upwind)[1] > seen_at("top", ahead)[1], "up the picture"
     for view in ("pilot", "side", "chase"):
-        low, high = Vector(-80.0, -60.0, -10.0), Vector(-80.0, -60.0, -90.0)
+        low, high = Vector(-80.0, -60.0, -95.0), Vector(-80.0, -60.0, -105.0)
         assert seen_at(view, high)[1] < seen_at(view, low)[1], view
 
 
