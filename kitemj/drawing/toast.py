@@ -8,9 +8,9 @@ from kitemj.drawing.panel import Panel
 from kitemj.drawing.plates import NOW, QUIET
 from kitemj.drawing.text import width, wrapped
 
-PAD, LEADING = 13, 1.62  # units around the words; of lines, in digit heights
+PAD, LEADING = 12, 1.5  # units around the words; of lines, in digit heights
 SIGN = 34  # units left of the words, for the sign
-LOUD, PLAIN = 19.0, 16.0  # units, digits of what to do and of the rest
+LOUD, PLAIN = 18.0, 16.0  # units, digits of what to do and of the rest
 
 
 def paint_message(

@@ -372,14 +372,14 @@ FAULTS = [
     ),
     Fault(
         "an angle of the air told in rad",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{degrees(angle):.1f}°"',
         'f"{angle:.1f}°"',
         PANELS,
     ),
     Fault(
         "the height told as z_E",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{-motion.body.p_G_E.z:.1f} m"',
         'f"{motion.body.p_G_E.z:.1f} m"',
         PANELS,
@@ -393,7 +393,7 @@ FAULTS = [
     ),
     Fault(
         "twist to the left told as right",
-        "drawing.instruments",
+        "drawing.flight_panels",
         "{'right' if turns > 0 else 'left'}",
         "{'left' if turns > 0 else 'right'}",
         PANELS,
@@ -554,7 +554,7 @@ FAULTS = [
     ),
     Fault(
         "the airspeed in km/h",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{motion.air.speed:.1f} m/s"',
         'f"{3.6 * motion.air.speed:.1f} m/s"',
         PANELS,
