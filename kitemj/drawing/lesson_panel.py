@@ -13,7 +13,7 @@ from kitemj.pilots.crash import Touch
 
 HEIGHT, CARD_EDGE = 116, 16  # units
 GAP = 10  # units between things that lie above one another
-SIZES = (22, 20, 18, 16)  # of the advice, the first that fits in two lines
+SIZES = (20, 18, 16)  # of the advice, the first that fits in two lines
 SMALL = 16.0  # units, digits of the rest
 LEADING = 1.5  # of lines, in digit heights
 ARROWS = 84  # units at either end, for which way the stick should go
