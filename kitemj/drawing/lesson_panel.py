@@ -13,7 +13,8 @@ from kitemj.pilots.crash import Touch
 
 HEIGHT, CARD_EDGE = 116, 16  # units
 GAP = 10  # units between things that lie above one another
-SIZES = (20, 18, 16)  # of the advice, the first that fits in two lines
+SIZES = ((1, 20), (1, 18), (2, 20), (2, 18), (2, 16))
+"""Lines that an advice takes at most, and its digits [units]: the first that fits."""
 SMALL = 16.0  # units, digits of the rest
 LEADING = 1.5  # of lines, in digit heights
 ARROWS = 84  # units at either end, for which way the stick should go
@@ -52,10 +53,10 @@ def beside(room: pygame.Rect, box: pygame.Rect, unit: float) -> pygame.Rect:
 
 
 def _fitting(text: str, inner: float, unit: float) -> tuple[float, tuple[str, ...]]:
-    """The largest size [units] in which `text` takes two lines, or the smallest; the lines."""
-    for size in SIZES:
+    """The size [units] in which `text` fits into the `inner` [units] of a lesson; its lines."""
+    for most, size in SIZES:
         lines = wrapped(text, inner * unit, size * unit)
-        if len(lines) <= 2:
+        if len(lines) <= most:
             break
     return size, lines
 

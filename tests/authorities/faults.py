@@ -559,4 +559,18 @@ FAULTS = [
         'f"{3.6 * motion.air.speed:.1f} m/s"',
         PANELS,
     ),
+    Fault(
+        "left and right exchanged before a pilot's eyes",
+        "drawing.head_up",
+        '"LR"[side]',
+        '"RL"[side]',
+        PANELS,
+    ),
+    Fault(
+        "a pilot's airspeed told in km/h",
+        "drawing.head_up",
+        'f"{motion.air.speed:.1f}"',
+        'f"{3.6 * motion.air.speed:.1f}"',
+        PANELS,
+    ),
 ]
