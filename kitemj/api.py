@@ -151,7 +151,7 @@ def film(
     path: str | Path,
     *,
     model: str | None = None,
-    view: str = "chase",
+    view: str = "pilot",
     size: tuple[int, int] = (1280, 720),
     rate: int = 30,
     speed: float = 1.0,
@@ -162,7 +162,7 @@ def film(
 
     `path`: the film, .mp4 or .gif
     `model`: flies a scenario (mujoco), or the input of a recording again, beside it
-    `view`: chase, pilot, side, top or orbit
+    `view`: pilot, chase, side, top or orbit
     `size`: width and height [px]
     `rate`: frames/s of the film
     `speed`: of the flight on the film, 2: twice as fast as it was

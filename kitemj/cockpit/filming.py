@@ -26,7 +26,7 @@ class FilmStyle(NamedTuple):
     """How a film looks: `instruments` in depth; `rate` in frames/s, `speed` of the flight on it."""
 
     size: tuple[int, int] = (1280, 720)
-    view: str = "chase"
+    view: str = "pilot"
     instruments: str = DEPTHS[0]
     rate: int = FRAME_RATE
     speed: float = 1.0

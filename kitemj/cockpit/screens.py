@@ -2,7 +2,7 @@
 
 import os
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -10,11 +10,15 @@ import pygame
 from numpy.typing import NDArray
 
 from kitemj.cockpit.film import Film
+from kitemj.cockpit.senses import Senses
 from kitemj.controls.actions import Wishes
 from kitemj.controls.keys import KEYS
 from kitemj.controls.pads import events
 from kitemj.controls.stick import PersonStick, Stick
 from kitemj.drawing.picture import LEAST
+from kitemj.dynamics.motion import Motion
+from kitemj.physics.parameters import Parameters
+from kitemj.pilots.crash import Touch
 
 FRAME_RATE = 30
 Frame = NDArray[np.uint8]
@@ -39,6 +43,14 @@ class Screen:
 
     def poll(self) -> None:
         """Takes in what the person did since."""
+
+    def sense(
+        self, parameters: Parameters, motion: Motion, touch: Touch | None, moving: bool
+    ) -> None:
+        """Lets the person hear and feel the motion, and `touch`, how the kite met the ground.
+
+        Nothing while it is not `moving`.
+        """
 
     def show(self, frame: Frame, wall: float) -> None:
         """Shows a frame painted `wall` [s] after the start."""
@@ -123,6 +135,24 @@ class RestingSize:
         return shaped(size) if self._clock() - self._since >= RESTED else None
 
 
+def full() -> bool:
+    """Whether the window fills the screen."""
+    return bool(pygame.display.get_surface().get_flags() & pygame.FULLSCREEN)
+
+
+def change_fullness(windowed: tuple[int, int]) -> None:
+    """Makes the window fill the screen, or gives it the size `windowed` [px] again."""
+    if full():
+        pygame.display.set_mode(windowed)  # window managers keep the large size of one
+        pygame.display.set_mode(windowed, pygame.RESIZABLE)  # that may have any
+    else:
+        pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
+
+
+BRIEFLY = 2.0
+"""s; for what the person has just asked for."""
+
+
 class Window(Screen):
     """A window of its own; `actions.HELP` says its keys. Its frames follow its size.
 
@@ -133,20 +163,27 @@ class Window(Screen):
         self, width: int, height: int, title: str, person: PersonStick, stick: Stick | None = None
     ) -> None:
         super().__init__(stick or person)
-        self._person, self._resting = person, RestingSize((width, height))
-        pygame.display.set_mode((width, height), pygame.RESIZABLE)
+        self._person, self._windowed = person, (width, height)
+        if not pygame.display.get_surface():  # else there is a window from before
+            pygame.display.set_mode((width, height), pygame.RESIZABLE)
+        self._resting = RestingSize(pygame.display.get_window_size())
         pygame.display.set_caption(title)
-        self._windowed: tuple[int, int] | None = None  # its size before it was full
+        self._senses = Senses(person.rumble)
 
     @property
     def message(self) -> str:
         """A sentence on the stick for the person; empty: none."""
         return self._person.message
 
+    def events(self) -> Iterator[tuple[pygame.event.Event, tuple[str, ...]]]:
+        """All events since, each with the actions that a pad asks for by it."""
+        for event in events():
+            yield event, self._person.handle(event)
+
     def poll(self) -> None:
         """Reads all events."""
-        for event in events():
-            self._ask(self._person.handle(event))
+        for event, asked in self.events():
+            self._ask(asked)
             if event.type == pygame.QUIT:
                 self._ask(["leave"])
             elif event.type == pygame.KEYDOWN:
@@ -163,29 +200,40 @@ class Window(Screen):
         """Takes in actions; those of the window or the stick are done here."""
         for name in names:
             if name == "full screen":
-                self._change_fullness()
+                if not full():
+                    self._windowed = pygame.display.get_window_size()
+                change_fullness(self._windowed)
             elif name in ("law", "two sticks"):
                 self._person.change(name)
             else:
                 self.wishes.ask([name])
+                if name == "sound":
+                    said = "are on" if self.wishes.sound else "are off"
+                    self._person.notices.say(f"sound and rumble {said}", BRIEFLY)
 
-    def _change_fullness(self) -> None:
-        if self._windowed is None:
-            self._windowed = pygame.display.get_window_size()
-            pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
-            return
-        pygame.display.set_mode(self._windowed)  # window managers keep the large size of one
-        pygame.display.set_mode(self._windowed, pygame.RESIZABLE)  # that may have any
-        self._windowed = None
+    @property
+    def push(self) -> tuple[float, float]:
+        """How far the pad's sticks are pushed to the right and down, -1..1."""
+        return self._person.push
+
+    def say(self, sentence: str) -> None:
+        """Shows a sentence for some seconds."""
+        self._person.notices.say(sentence)
+
+    def sense(
+        self, parameters: Parameters, motion: Motion, touch: Touch | None, moving: bool
+    ) -> None:
+        """Lets the person hear and feel the motion, unless they wish not to."""
+        self._senses.feel(parameters, motion, touch, self.wishes.sound and moving)
 
     def show(self, frame: Frame, wall: float) -> None:
         """Puts the frame on the screen."""
         put_in_window(pygame.image.frombuffer(frame.data, frame.shape[1::-1], "RGB"))
 
     def close(self) -> None:
-        """Closes the window and lets go of the pads; fonts stay, pictures may go on."""
+        """Lets go of the pads, and is silent; the window stays, for whoever comes next."""
+        self._senses.close()
         self._person.close()
-        pygame.display.quit()
 
 
 class FilmScreen(Screen):

@@ -1,6 +1,7 @@
 """`kitemj fly`: a person, a stick, a kite."""
 
 import argparse
+from contextlib import nullcontext
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -18,6 +19,8 @@ from kitemj.commands.arguments import (
 from kitemj.errors import NOT_WRITTEN, FlightError, InputError
 
 if TYPE_CHECKING:
+    from kitemj.child import Child
+    from kitemj.cockpit.home import Kept
     from kitemj.cockpit.screens import Window
     from kitemj.controls.stick import Stick
     from kitemj.flight.scenario import Scenario
@@ -49,6 +52,7 @@ def add(parser: Parser) -> None:
     parser.add_argument("--at", type=float, metavar="S", help="from this time of it; its end")
     parser.add_argument("--lessons", action="store_true", help="all lessons, passed or not")
     parser.add_argument("--no-lessons", action="store_true", help="none")
+    parser.add_argument("--no-title", action="store_true", help="fly at once, from no title page")
     parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
     parser.add_argument("--headless", action="store_true", help="film a show, open no window")
     parser.add_argument("--film", type=Path, metavar="FILE.mp4", help="name of that film")
@@ -60,11 +64,70 @@ def add(parser: Parser) -> None:
     add_step(parser)
 
 
+ASKED = (
+    *("scenario", "kite", "arm", "stick", "pilot", "past", "at", "lessons", "no_lessons"),
+    *("duration", "headless", "film", "record", "no_title", "model", "step"),
+)
+"""Who gives one of these wants a certain flight, and sees no title."""
+
+
 def run(args: argparse.Namespace) -> int:
-    """Flies, and tells of it; returns the exit status, NOT_WRITTEN for a recording cut short."""
+    """Flies, from the title page on unless a certain flight is asked for; the exit status."""
     from kitemj.realtime.launch import launch
 
     launched = launch()
+    asked = any(getattr(args, name) != args.parser.get_default(name) for name in ASKED)
+    import pygame
+
+    from kitemj.cockpit.screens import display_found
+
+    try:
+        if asked or not display_found():
+            return _fly(args, launched)
+        return _from_title(args, launched)
+    finally:
+        pygame.display.quit()
+
+
+def _from_title(args: argparse.Namespace, launched: "Child") -> int:
+    """Flies, looks and learns as a person chooses, until they leave; the last exit status."""
+    from kitemj.cockpit.home import Doors, Home, Kept
+    from kitemj.cockpit.screens import Window, fitting
+    from kitemj.controls.settings import settings_or_defaults
+    from kitemj.pilots.course import LESSONS
+    from kitemj.pilots.progress import read_progress
+
+    pixels = fitting(size(args.size))
+
+    def asking(kite: str, lessons: bool) -> argparse.Namespace:
+        """The arguments of somebody who asks for this flight."""
+        again = lessons and passed()[0] == len(LESSONS)
+        return argparse.Namespace(
+            **(vars(args) | {"kite": kite, "lessons": again, "no_lessons": not lessons})
+        )
+
+    def scenario(kite: str) -> "Scenario":
+        return _scenario(asking(kite, lessons=False))
+
+    def window(flown: "Scenario") -> Window:
+        return _window(flown, pixels, None)
+
+    def fly(kite: str, lessons: bool, child: "Child", kept: Kept) -> int:
+        return _fly(asking(kite, lessons), child, kept)
+
+    def passed() -> tuple[int, int]:
+        keys = [lesson.key for lesson in LESSONS]
+        return len(read_progress().passed.intersection(keys)), len(keys)
+
+    sound = settings_or_defaults()[0].sound
+    return Home(Doors(scenario, window, fly, passed), args.kite, pixels, sound).run(launched)
+
+
+def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None) -> int:
+    """Flies, and tells of it; returns the exit status, NOT_WRITTEN for a recording cut short.
+
+    `launched`: the flight's process; `kept`: what is there before and after this flight.
+    """
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.screens import FilmScreen, Screen, display_found, fitting
     from kitemj.controls.stick import show_of
@@ -90,7 +153,8 @@ def run(args: argparse.Namespace) -> int:
     if course:  # its own start is the second one
         setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
     physics = FlightProcess(setup, launched)
-    with Picture(parameters, *pixels) as picture:
+    own = nullcontext(kept.picture) if kept else Picture(parameters, *pixels)
+    with own as picture:
         physics.wait()
         screen: Screen
         if path:
@@ -99,12 +163,16 @@ def run(args: argparse.Namespace) -> int:
         else:
             screen = _window(setup.scenario, pixels, programme)
         screen.wishes.view = args.view
+        if kept:
+            screen.wishes.sound = kept.sound
         try:
             print(fly(physics, picture, screen, duration, args.called, course))
         except (FlightError, OSError):  # why it ended is told last
             print(f"recording    {physics.recording}")
             raise
         finally:
+            if kept:
+                kept.sound = screen.wishes.sound
             if course:
                 print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
             if path and path.exists():
@@ -174,7 +242,9 @@ def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None"
     person = PersonStick(settings, scenario.parameters)
     if complaint:
         person.notices.say(complaint, LONG)
-    return Window(*pixels, f"kitemj: {scenario.source}", person, stick)
+    window = Window(*pixels, f"kitemj: {scenario.source}", person, stick)
+    window.wishes.sound = settings.sound
+    return window
 
 
 def _scenario(args: argparse.Namespace) -> "Scenario":

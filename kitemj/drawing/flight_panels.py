@@ -10,7 +10,7 @@ from kitemj.drawing.wind_window import bearing
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.limits import SIDESLIP, STALL, TWIST, Numbers
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.scene import newtons_per_metre
+from kitemj.scene.forces import newtons_per_metre
 
 EDGE = 14  # units, left and right of what is written
 GAP_UNITS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (0.0, "nm"))  # from this on, in metres

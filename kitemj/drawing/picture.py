@@ -67,7 +67,7 @@ class Picture(Closing):
         motion: Motion,
         reference: Motion | None,
         readings: Readings,
-        view: str | Camera = "chase",
+        view: str | Camera = "pilot",
     ) -> NDArray[np.uint8]:
         """A new frame (height, width, 3), RGB, row 0 on top.
 
