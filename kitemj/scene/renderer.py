@@ -53,7 +53,7 @@ class Renderer(Closing):
         bottom = self.height - box.bottom  # OpenGL counts rows from below
         rows = mujoco.MjrRect(box.left, bottom, box.width, box.height)
         with self._graphics.context.as_current():
-            self.scene.fill(motion, reference, camera, forces)
+            self.scene.fill(motion, reference, camera, forces, box.height)
             self.scene.upload(self._context)
             mujoco.mjr_render(rows, self.scene.mjv, self._context)
 

@@ -22,7 +22,8 @@ from kitemj.physics.vectors import Rotation, Vector, cross, minus, norm, times
 from kitemj.physics.wind import Wind
 from kitemj.pilots.crash import touch_at
 from kitemj.pilots.sight import sight
-from kitemj.scene.scene import Scene, hanging
+from kitemj.scene.lines import hanging
+from kitemj.scene.scene import Scene
 from kitemj.scene.views import CAMERAS, Orbit, downwind, looking, orbiting, pixel
 from tests.authorities.by_hand import DOWN, LEFT, LEVEL, RIGHT, UP, UPWIND, ZERO, motion
 from tests.support import LAKSA

@@ -28,7 +28,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
 from kitemj.pilots.crash import Touch
 from kitemj.scene.gl import NoGraphics
-from tests.drawing.test_picture import EQUILIBRIUM, LAKSA, motion_at
+from tests.scene.motions import EQUILIBRIUM, LAKSA, motion_at
 from tests.support import pulling
 
 CALM = motion_at(LAKSA, EQUILIBRIUM)

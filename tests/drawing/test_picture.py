@@ -18,7 +18,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector, plus, unrotated
 from kitemj.scene.canopy import canopy, surface_point
 from kitemj.scene.gl import NoGraphics
-from kitemj.scene.scene import hanging
+from kitemj.scene.lines import hanging
 from kitemj.scene.scenery import ring_step
 from tests.scene.motions import EQUILIBRIUM, LAKSA, SPORT, motion_at
 

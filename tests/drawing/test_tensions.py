@@ -12,7 +12,7 @@ from kitemj.drawing.panel import Panel
 from kitemj.drawing.tensions import BAR, FASTEST, ROOM, Scale, paint_tensions, scale_of
 from kitemj.physics.parameter_files import parameter_set, set_names
 from kitemj.physics.rig import TWO_LINES
-from tests.drawing.test_picture import EQUILIBRIUM, LAKSA, motion_at
+from tests.scene.motions import EQUILIBRIUM, LAKSA, motion_at
 from tests.support import pulling
 
 CALM = motion_at(LAKSA, EQUILIBRIUM)
