@@ -28,7 +28,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.pilots.course import LessonStatus
 from kitemj.pilots.crash import Touch
 from kitemj.scene.gl import NoGraphics
-from tests.drawing.test_picture import EQUILIBRIUM, LAKSA, motion_at
+from tests.scene.motions import EQUILIBRIUM, LAKSA, motion_at
 from tests.support import pulling
 
 SIZES = ((1280, 720), (1920, 1080), (640, 360))
