@@ -175,12 +175,24 @@ class Picture(Closing):
             paint_trail(surface, places, usable, inset, 2 * unit, hues)
 
     def _labels(self, surface: pygame.Surface, motion: Motion, view: str) -> None:
-        """Writes the wind's speed at its arrow, the rings' distances; where there is room."""
+        """Writes the wind's speed and the rings' distances, where there is room."""
         assert self._camera is not None
-        close = self._camera.near
         taken = [*self._instruments.taken]
         if self._inset_camera:
             taken.append(self._instruments.box("inset"))
+        if "forces" in self.shown:
+            self._label_wind(surface, motion, view, taken)
+        step = ring_step(self.parameters.lines.length)
+        for k in range(1, RINGS + 1):
+            place = times(k * step, self._ring_direction(view))
+            self._label(surface, place, f"{k * step:g} m", (0.0, -15.0), 0.5, taken)
+
+    def _label_wind(
+        self, surface: pygame.Surface, motion: Motion, view: str, taken: list[pygame.Rect]
+    ) -> None:
+        """Writes the wind's speed at its arrow, where there is room."""
+        assert self._camera is not None
+        close = self._camera.near
         tail, tip = self._renderer.scene.wind_arrow(motion, close)
         aside, align = (0.0, 34.0), 0.5 if close or view == "side" else 1.0
         if not close and view != "side":
@@ -190,10 +202,6 @@ class Picture(Closing):
         if not self._label(surface, tail, wind, aside, align, taken):
             middle = times(0.5, plus(tail, tip))
             self._label(surface, middle, wind, (44.0, 14.0), 0.0, taken)
-        step = ring_step(self.parameters.lines.length)
-        for k in range(1, RINGS + 1):
-            place = times(k * step, self._ring_direction(view))
-            self._label(surface, place, f"{k * step:g} m", (0.0, -15.0), 0.5, taken)
 
     def _ring_direction(self, view: str) -> Vector:
         """The direction from O_E in which rings have their labels: beside what matters."""

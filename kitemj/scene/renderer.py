@@ -60,7 +60,7 @@ class Renderer(Closing):
         rows = (self._scaled(side) for side in (box.left, bottom, box.width, box.height))
         self.scene.surroundings.show_details(self.quality.details)
         with self._graphics.context.as_current():
-            self.scene.fill(motion, reference, camera, forces, box.height)
+            self.scene.fill(motion, reference, camera, forces, self._scaled(box.height))
             self.scene.upload(self._context)
             mujoco.mjr_render(mujoco.MjrRect(*rows), self.scene.mjv, self._context)
 
