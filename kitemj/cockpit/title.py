@@ -14,10 +14,10 @@ from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.vectors import cross, plus, times
-from kitemj.scene.views import Camera, Orbit, orbiting
+from kitemj.scene.views import Camera, Orbit, looking, orbiting
 
 PACE = 0.12  # rad/s of the eye's swing about the kite
-SWING, RISE = 0.5, 0.12  # rad, to the sides; about the kite's level
+SWING, BELOW, RISE = 0.5, 0.22, 0.1  # rad, to the sides; below the kite, so that it has sky behind
 AWAY = 3.2  # spans
 ASIDE = 0.3  # rad by which the eye looks past the kite, which leaves the left to the text
 PUSHED, LET_GO = 0.6, 0.3  # of a stick's way: it asks for a step; it may ask again
@@ -73,11 +73,11 @@ class Title:
     def _camera(self, motion: Motion) -> Camera:
         """An eye that swings about the kite, which it has on its right."""
         parameters, t = self._picture.parameters, PACE * self._t
-        orbit = Orbit(SWING * sin(t), RISE * cos(0.7 * t), AWAY * parameters.kite.span)
+        orbit = Orbit(SWING * sin(t), RISE * cos(0.7 * t) - BELOW, AWAY * parameters.kite.span)
         camera = orbiting(parameters, motion, orbit)
         right = cross(camera.forward, camera.up)
         ahead = plus(times(cos(ASIDE), camera.forward), times(-sin(ASIDE), right))
-        return camera._replace(forward=ahead)
+        return looking(camera.position, plus(camera.position, ahead))._replace(near=camera.near)
 
     def _ask(self, action: str) -> None:
         if action == "full screen":
