@@ -92,10 +92,10 @@ class Title:
         scale = self._picture.width / self._place.width
         x, y = ((event.pos[i] - self._place.topleft[i]) * scale for i in (0, 1))
         found = pygame.Rect(x, y, 1, 1).collidelist(self._boxes)
-        if found < 0:
+        if found < 0 or not self._menu.entries[found].open:
             return
-        self._menu.point(found)
-        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1 and self._menu.entry.open:
+        self._menu.marked = found
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             self._menu.ask("choose")
 
     def _push(self) -> None:
