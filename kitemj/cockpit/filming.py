@@ -12,6 +12,7 @@ from kitemj.cockpit.film import Film, check_film
 from kitemj.cockpit.film_sources import FilmSource
 from kitemj.cockpit.parallel_painting import Painter, Shot, Stage, painted, workers_for
 from kitemj.cockpit.screens import FRAME_RATE
+from kitemj.controls.actions import DEPTHS
 from kitemj.errors import InputError, NoGraphics
 from kitemj.files import check_new, new_file
 from kitemj.progress_bar import with_progress
@@ -22,11 +23,11 @@ MOST_FRAMES = 1_000_000
 
 
 class FilmStyle(NamedTuple):
-    """How a film looks; `rate` in frames/s, `speed` of the flight on the film."""
+    """How a film looks: `instruments` in depth; `rate` in frames/s, `speed` of the flight on it."""
 
     size: tuple[int, int] = (1280, 720)
-    view: str = "chase"
-    instruments: bool = True
+    view: str = "pilot"
+    instruments: str = DEPTHS[0]
     rate: int = FRAME_RATE
     speed: float = 1.0
 

@@ -93,6 +93,8 @@ def fly(
                 _watch(physics, picture, screen)
             if course:
                 course.watch(physics.result.motion)
+            if screen.size and screen.size != (picture.width, picture.height):
+                picture.resize(*screen.size)
             moving = screen.wishes.pace > 0
             screen.sense(physics.parameters, physics.result.motion, physics.touch, moving)
             result, readings = physics.result, _readings(physics, history, screen, course)
@@ -136,7 +138,7 @@ def _grant(
         picture.eye.turn(*turn)
     if zoom != 1.0:
         picture.eye.zoom(zoom)
-    picture.shown = wishes.shown
+    picture.depth, picture.shown = wishes.depth, wishes.shown
     return others
 
 

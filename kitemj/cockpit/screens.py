@@ -1,7 +1,8 @@
 """Where frames go: a window, or a film when there is no display."""
 
 import os
-from collections.abc import Iterable, Iterator
+import time
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from kitemj.controls.actions import Wishes
 from kitemj.controls.keys import KEYS
 from kitemj.controls.pads import events
 from kitemj.controls.stick import PersonStick, Stick
+from kitemj.drawing.picture import LEAST
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.crash import Touch
@@ -25,8 +27,11 @@ Frame = NDArray[np.uint8]
 class Screen:
     """Takes frames, and says what the person at it wants; this one shows them to nobody.
 
-    `stick` is that of the person at it, `wishes` what they ask for.
+    `stick` is that of the person at it, `wishes` what they ask for; `size` [px] what frames
+    should have from now on, None: what they have.
     """
+
+    size: tuple[int, int] | None = None
 
     def __init__(self, stick: Stick) -> None:
         self.stick, self.wishes = stick, Wishes()
@@ -102,6 +107,34 @@ def put_in_window(picture: pygame.Surface) -> pygame.Rect:
     return place
 
 
+SHAPES = (4 / 3, 21 / 9)
+"""Width over height of a picture, the least and the most; a window of another shape has edges."""
+RESTED = 0.3
+"""s; for which a window keeps its size before the picture takes it."""
+
+
+def shaped(size: tuple[int, int]) -> tuple[int, int]:
+    """The largest picture [px] of an allowed shape in a window of `size`; even numbers."""
+    wide, tall = size
+    least, most = SHAPES
+    wide, tall = min(wide, round(most * tall)), min(tall, round(wide / least))
+    return max(wide - wide % 2, LEAST[0]), max(tall - tall % 2, LEAST[1])
+
+
+class RestingSize:
+    """The size that a window's picture should have: it follows the window when that rests."""
+
+    def __init__(self, size: tuple[int, int], clock: Callable[[], float] = time.monotonic) -> None:
+        """`size` [px] of the window at first."""
+        self._clock, self._last, self._since = clock, size, clock()
+
+    def rested(self, size: tuple[int, int]) -> tuple[int, int] | None:
+        """The picture's size [px] for a window of `size` now; None while it is being changed."""
+        if size != self._last:
+            self._last, self._since = size, self._clock()
+        return shaped(size) if self._clock() - self._since >= RESTED else None
+
+
 def full() -> bool:
     """Whether the window fills the screen."""
     return bool(pygame.display.get_surface().get_flags() & pygame.FULLSCREEN)
@@ -121,7 +154,7 @@ BRIEFLY = 2.0
 
 
 class Window(Screen):
-    """A window of its own; `actions.HELP` says its keys. A frame keeps its shape in any window.
+    """A window of its own; `actions.HELP` says its keys. Its frames follow its size.
 
     The `person` steers, unless a programmed `stick` does; keys and buttons work either way.
     """
@@ -130,9 +163,10 @@ class Window(Screen):
         self, width: int, height: int, title: str, person: PersonStick, stick: Stick | None = None
     ) -> None:
         super().__init__(stick or person)
-        self._person, self._size = person, (width, height)
+        self._person, self._windowed = person, (width, height)
         if not pygame.display.get_surface():  # else there is a window from before
-            pygame.display.set_mode(self._size, pygame.RESIZABLE)
+            pygame.display.set_mode((width, height), pygame.RESIZABLE)
+        self._resting = RestingSize(pygame.display.get_window_size())
         pygame.display.set_caption(title)
         self._senses = Senses(person.rumble)
 
@@ -160,12 +194,15 @@ class Window(Screen):
                 self.wishes.turn = (turn[0] - TURN * across, turn[1] + TURN * down)
             elif event.type == pygame.MOUSEWHEEL:
                 self.wishes.zoom *= 1.1**event.y
+        self.size = self._resting.rested(pygame.display.get_window_size())
 
     def _ask(self, names: Iterable[str]) -> None:
         """Takes in actions; those of the window or the stick are done here."""
         for name in names:
             if name == "full screen":
-                change_fullness(self._size)
+                if not full():
+                    self._windowed = pygame.display.get_window_size()
+                change_fullness(self._windowed)
             elif name in ("law", "two sticks"):
                 self._person.change(name)
             else:
@@ -191,7 +228,7 @@ class Window(Screen):
 
     def show(self, frame: Frame, wall: float) -> None:
         """Puts the frame on the screen."""
-        put_in_window(pygame.image.frombuffer(frame.data, self._size, "RGB"))
+        put_in_window(pygame.image.frombuffer(frame.data, frame.shape[1::-1], "RGB"))
 
     def close(self) -> None:
         """Lets go of the pads, and is silent; the window stays, for whoever comes next."""
