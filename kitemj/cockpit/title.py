@@ -38,6 +38,7 @@ class Title:
     def run(self) -> str:
         """Returns the key of what was chosen; "leave" for none."""
         clock = pygame.time.Clock()
+        self._window.fit(self._picture, at_once=True)
         self.paint()
         while not self._menu.chosen:
             wall = clock.tick(FRAME_RATE) / 1000
@@ -59,11 +60,12 @@ class Title:
             elif event.type in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN):
                 self._point(event)
         self._push()
+        self._window.fit(self._picture)
 
     def paint(self) -> None:
         """Paints the kite, and the page over it."""
         picture, motion = self._picture, self._show.motion
-        picture.shown = set()
+        picture.depth = "none"
         self._window.sense(picture.parameters, motion, None, moving=True)
         frame = picture.paint(motion, None, Readings(), self._camera(motion))
         surface = pygame.image.frombuffer(frame.data, (picture.width, picture.height), "RGB")

@@ -110,12 +110,12 @@ def test_a_pad_plays_and_goes_on_and_back(replay):
     pad.unplug()
 
 
-def test_a_window_of_the_pictures_size_grows_by_the_strip_and_back(replay):
+def test_picture_and_strip_share_the_window_and_the_picture_has_it_back(replay, picture):
     sizes = []
     press(pygame.K_ESCAPE)
-    replay.run(meanwhile=lambda: sizes.append(pygame.display.get_window_size()))
-    assert sizes[0] == (SIZE[0], SIZE[1] + HEIGHT)
-    assert pygame.display.get_window_size() == SIZE
+    replay.run(meanwhile=lambda: sizes.append((picture.width, picture.height)))
+    assert sizes[0] == (SIZE[0], SIZE[1] - HEIGHT)
+    assert (picture.width, picture.height) == pygame.display.get_window_size() == SIZE
 
 
 class Watcher(Window):
