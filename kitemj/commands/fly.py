@@ -171,7 +171,8 @@ def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None
         if kept:
             screen.wishes.sound = kept.sound
         try:
-            print(fly(physics, picture, screen, duration, args.called, course))
+            called = None if kept else args.called
+            print(fly(physics, picture, screen, duration, called, course))
         except (FlightError, OSError):  # why it ended is told last
             print(f"recording    {physics.recording}")
             raise
