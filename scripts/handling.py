@@ -10,7 +10,6 @@ import sys
 from collections.abc import Sequence
 from math import degrees, inf, isfinite
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -36,11 +35,9 @@ from kitemj.errors import InputError
 from kitemj.files import new_file
 from kitemj.flight.compare import position_gap
 from kitemj.flight.equilibrium import equilibrium
-from kitemj.flight.live import Command
 from kitemj.flight.scenario import parameters_named
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
-from kitemj.pilots.manoeuvres import Pilot
 from kitemj.pilots.registry import PILOTS
 from kitemj.progress_bar import with_progress
 from kitemj.tables import Cell, Table, markdown, print_table
@@ -217,25 +214,10 @@ def assisted(kite: str) -> Table | None:
     columns = []
     for wind in with_progress("assisted", WINDS, len(WINDS)):
         parameters = in_wind(kite, wind)
-        after = [assisted_after(parameters, place, aide()) for place in starts]
+        after = [assisted_after(parameters, place, PILOTS[AIDE]()) for place in starts]
         columns.append(shares(parameters, starts, after))
     rows: list[tuple[Cell, ...]] = [(name, *(c[name] for c in columns)) for name in columns[0]]
     return Table(f"{kite}, hands off, assist on", heads("what"), rows)
-
-
-class HandsOff:
-    """A stick that rests."""
-
-    def command(self, motion: Motion) -> Command:
-        """Nothing."""
-        return Command()
-
-
-def aide() -> Pilot:
-    """The pilot who helps hands that rest."""
-    make: Any = PILOTS[AIDE]
-    pilot: Pilot = make(HandsOff())
-    return pilot
 
 
 if __name__ == "__main__":
