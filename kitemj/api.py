@@ -151,22 +151,22 @@ def film(
     path: str | Path,
     *,
     model: str | None = None,
-    view: str = "chase",
+    view: str = "pilot",
     size: tuple[int, int] = (1280, 720),
     rate: int = 30,
     speed: float = 1.0,
-    instruments: bool = True,
+    instruments: str = "pilot",
     overwrite: bool = False,
 ) -> Path:
     """Films a flight, a recording or a scenario, and returns the film's path.
 
     `path`: the film, .mp4 or .gif
     `model`: flies a scenario (mujoco), or the input of a recording again, beside it
-    `view`: chase, pilot, side, top or orbit
+    `view`: pilot, chase, side, top or orbit
     `size`: width and height [px]
     `rate`: frames/s of the film
     `speed`: of the flight on the film, 2: twice as fast as it was
-    `instruments`: whether they are shown
+    `instruments`: how much is shown over the view: pilot, engineer or none
     `overwrite`: whether a file that is there may be replaced
 
     Raises InputError, and NoGraphics where nothing can draw.

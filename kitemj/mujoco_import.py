@@ -2,7 +2,7 @@
 
 ``import mujoco`` reads MUJOCO_GL and loads that library at once; where it is missing the
 import itself dies. Physics needs no OpenGL, so the variable is out of sight meanwhile;
-`kitemj.drawing.gl` respects it when there is something to draw.
+`kitemj.scene.gl` respects it when there is something to draw.
 """
 
 import os

@@ -2,7 +2,7 @@
 
 import sys
 
-from kitemj.drawing.gl import open_graphics
+from kitemj.scene.gl import open_graphics
 
 try:
     open_graphics(16, 16).context.free()

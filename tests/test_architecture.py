@@ -20,7 +20,8 @@ ROOMS = (
     ("plots", ("recording",)),
     ("controls", ("pilots",)),
     ("realtime", ("pilots", "recording")),
-    ("drawing", ("pilots", "recording", "controls")),
+    ("scene", ("flight",)),
+    ("drawing", ("pilots", "recording", "controls", "scene")),
     ("cockpit", ("drawing", "realtime", "plots")),
     ("commands", ("cockpit", "plots", "equilibria", "studies")),
 )

@@ -10,22 +10,24 @@ import pygame
 
 from kitemj.cockpit.film import Film, check_film
 from kitemj.cockpit.film_sources import FilmSource
-from kitemj.cockpit.parallel_painting import Painter, Stage, painted, workers_for
+from kitemj.cockpit.parallel_painting import Painter, Shot, Stage, painted, workers_for
 from kitemj.cockpit.screens import FRAME_RATE
+from kitemj.controls.actions import DEPTHS
 from kitemj.errors import InputError, NoGraphics
 from kitemj.files import check_new, new_file
 from kitemj.progress_bar import with_progress
+from kitemj.scene.eye import Eye
 
 MOST_FRAMES = 1_000_000
 """Of a film: nine hours of it, and a day of painting."""
 
 
 class FilmStyle(NamedTuple):
-    """How a film looks; `rate` in frames/s, `speed` of the flight on the film."""
+    """How a film looks: `instruments` in depth; `rate` in frames/s, `speed` of the flight on it."""
 
     size: tuple[int, int] = (1280, 720)
-    view: str = "chase"
-    instruments: bool = True
+    view: str = "pilot"
+    instruments: str = DEPTHS[0]
     rate: int = FRAME_RATE
     speed: float = 1.0
 
@@ -72,7 +74,11 @@ def film(
         )
     count = int((end - start) / style.speed * style.rate + 1e-6) + 1
     times = [start + i * style.speed / style.rate for i in range(count)]
-    shots = ([source.shot(t, style.speed) for source in sources] for t in times)
+    # painters see single frames; where a view stands follows from all before
+    eyed = [(source, Eye(source.parameters)) for source in sources]
+    shots = (
+        [_seen(flight.shot(t, style.speed), eye, style) for flight, eye in eyed] for t in times
+    )
     frames = painted(_stage(sources, style), shots, workers_for(count))
     written = Film(path, *style.size, style.rate, overwrite)
     try:
@@ -103,6 +109,11 @@ def still(
         pygame.image.save(picture, png, "PNG")  # in memory, since SDL does not say why a disk fails
         part.write_bytes(png.getvalue())
     return f"{path}: {t:g} s"
+
+
+def _seen(shot: Shot, eye: Eye, style: FilmStyle) -> Shot:
+    """The shot as `eye` sees it, which has seen those before."""
+    return shot._replace(camera=eye.look(shot.motion, style.view))
 
 
 def _stage(sources: Sequence[FilmSource], style: FilmStyle) -> Stage:

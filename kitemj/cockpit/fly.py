@@ -5,17 +5,24 @@ from dataclasses import dataclass
 
 import pygame
 
-from kitemj.cockpit.screens import FRAME_RATE, Screen
+from kitemj.cockpit.replay_window import ReplayWindow
+from kitemj.cockpit.screens import FRAME_RATE, Screen, Window
 from kitemj.controls.actions import HELP, Wishes
 from kitemj.controls.programmed import ProgrammedStick
 from kitemj.drawing.history import History
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
+from kitemj.errors import InputError
 from kitemj.flight.live import TICK
 from kitemj.physics.shaping import StickLaw
 from kitemj.pilots.course import Course
 from kitemj.realtime.messages import Assisted, Deed, Rate, StartAt, Timekeeping
 from kitemj.realtime.process import FlightProcess
+from kitemj.recording.file import read_recording
+from kitemj.recording.recorder import FLUSH
+
+WATCHED = 20.0
+"""s before now at which watching a flight again begins."""
 
 
 @dataclass(frozen=True)
@@ -84,9 +91,14 @@ def fly(
                 screen.wishes.ask(screen.stick.actions(painting - begun))
             physics.ask(screen.stick.command(physics.result.motion))
             physics.ask(Assisted(screen.assist))
-            _grant(screen.wishes, physics, picture, course)
+            if "watch" in _grant(screen.wishes, physics, picture, course):
+                _watch(physics, picture, screen)
             if course:
                 course.watch(physics.result.motion, assist=screen.assist)
+            if screen.size and screen.size != (picture.width, picture.height):
+                picture.resize(*screen.size)
+            moving = screen.wishes.pace > 0
+            screen.sense(physics.parameters, physics.result.motion, physics.touch, moving)
             result, readings = physics.result, _readings(physics, history, screen, course)
             frame = picture.paint(result.motion, result.reference, readings, screen.wishes.view)
             screen.show(frame, painting - begun)
@@ -106,13 +118,18 @@ def fly(
     return Summary(times.ticks * TICK, times, frames, wall, first, recording)
 
 
-def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Course | None) -> None:
-    """Does what the person asks for of time, picture and lessons."""
+def _grant(
+    wishes: Wishes, physics: FlightProcess, picture: Picture, course: Course | None
+) -> list[str]:
+    """Does what the person asks for of time, picture and lessons; returns what else is wished."""
     deeds, turn, zoom = wishes.taken()
+    others: list[str] = []
     physics.ask(Rate(wishes.pace))
     physics.ask(StartAt(1 if course and course.start else 0))
     for deed in deeds:
-        if deed not in ("next lesson", "begin lesson"):
+        if deed == "watch":
+            others.append(deed)
+        elif deed not in ("next lesson", "begin lesson"):
             physics.ask(Deed(deed))
         elif course and deed == "next lesson":
             course.skip()
@@ -120,10 +137,29 @@ def _grant(wishes: Wishes, physics: FlightProcess, picture: Picture, course: Cou
             course.begin_again()
             physics.ask(Deed.RESTART)
     if turn != (0.0, 0.0):
-        picture.orbit(*turn)
+        picture.eye.turn(*turn)
     if zoom != 1.0:
-        picture.zoom(zoom)
-    picture.shown = wishes.shown
+        picture.eye.zoom(zoom)
+    picture.depth, picture.shown = wishes.depth, wishes.shown
+    return others
+
+
+def _watch(physics: FlightProcess, picture: Picture, screen: Screen) -> None:
+    """Shows what was flown so far to the person, if there is one; the flight waits meanwhile."""
+    if not isinstance(screen, Window):
+        return
+    if physics.record is None:
+        screen.say("this flight is not recorded: there is nothing to watch again")
+        return
+    physics.ask(Rate(0.0))
+    time.sleep(FLUSH + 0.1)  # until what was flown is on the disk
+    try:
+        replay = ReplayWindow(read_recording(physics.record), None, picture, screen)
+    except InputError as error:
+        screen.say(str(error))
+        return
+    replay.player.seek(replay.player.duration - WATCHED)
+    replay.run(meanwhile=physics.update)
 
 
 def _readings(

@@ -164,5 +164,6 @@ def stick_steps(
     physics = StickTimingProcess(setup, stick)
     physics.wait()
     instruments = Instruments(physics.parameters, picture.width, picture.height)
+    screen.wishes.depth = "engineer"  # which has a knob
     fly(physics, picture, PointerScreen(screen, stick, physics, instruments), duration)
     return stick.steps[:-1]

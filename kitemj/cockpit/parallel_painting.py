@@ -19,13 +19,14 @@ from numpy.typing import NDArray
 
 from kitemj.child import Child
 from kitemj.closing import Closing
-from kitemj.drawing.gl import open_graphics
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.text import put, width
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError, NoGraphics
 from kitemj.physics.parameters import Parameters
+from kitemj.scene.gl import open_graphics
+from kitemj.scene.views import Camera
 
 Frame = NDArray[np.uint8]
 MOST_WORKERS = 8
@@ -38,21 +39,25 @@ PATIENCE = 60
 
 
 class Shot(NamedTuple):
-    """What one flight shows in one frame."""
+    """What one flight shows in one frame; `camera`: None for where the stage's view stands."""
 
     motion: Motion
     reference: Motion | None
     readings: Readings
+    camera: Camera | None = None
 
 
 class Stage(NamedTuple):
-    """What all frames of a film share: parameters and caption of each flight, size [px], view."""
+    """What all frames of a film share: parameters and caption of each flight, size [px], view.
+
+    `instruments`: their depth, a name of `actions.DEPTHS`.
+    """
 
     parameters: tuple[Parameters, ...]
     captions: tuple[str, ...]
     size: tuple[int, int]
     view: str
-    instruments: bool
+    instruments: str
 
 
 class Painter(Closing):
@@ -61,16 +66,15 @@ class Painter(Closing):
     def __init__(self, stage: Stage) -> None:
         self._stage = stage
         across = stage.size[0] // len(stage.parameters)
-        self._pictures = [Picture(each, across, stage.size[1]) for each in stage.parameters]
-        if not stage.instruments:
-            for picture in self._pictures:
-                picture.shown = set()
+        self._pictures = [Picture(each, across, stage.size[1], "film") for each in stage.parameters]
+        for picture in self._pictures:
+            picture.depth = stage.instruments
 
     def paint(self, shots: Sequence[Shot]) -> Frame:
         """The frame (height, width, 3) of a shot of each flight, side by side."""
         view = self._stage.view
         parts = [
-            picture.paint(shot.motion, shot.reference, shot.readings, view)
+            picture.paint(shot.motion, shot.reference, shot.readings, shot.camera or view)
             for picture, shot in zip(self._pictures, shots, strict=True)
         ]
         if len(parts) == 1:

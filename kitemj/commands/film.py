@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 
 from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_picture, size
+from kitemj.controls.actions import DEPTHS
 from kitemj.errors import InputError
 
 HELP = "film a scenario or a recording with no screen; two of them, or two models, side by side"
@@ -26,7 +27,8 @@ def add(parser: Parser) -> None:
     parser.add_argument("--from", dest="start", type=float, default=0.0, metavar="S")
     parser.add_argument("--to", dest="end", type=float, metavar="S")
     parser.add_argument("--still", type=float, metavar="T", help="one picture at T s, as a PNG")
-    parser.add_argument("--instruments", action=argparse.BooleanOptionalAction, default=True)
+    says = "how much is shown over the view, default pilot"
+    parser.add_argument("--instruments", choices=DEPTHS, default=DEPTHS[0], help=says)
     add_picture(parser)
     parser.add_argument("--step", type=float, metavar="S", help="longest step [s], default 0.002")
 

@@ -1,6 +1,7 @@
 """`kitemj fly`: a person, a stick, a kite."""
 
 import argparse
+from contextlib import nullcontext
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import (
     MODELS,
+    QUALITY_NAMES,
     SCENARIO,
     Parser,
     add_picture,
@@ -18,6 +20,8 @@ from kitemj.commands.arguments import (
 from kitemj.errors import NOT_WRITTEN, FlightError, InputError
 
 if TYPE_CHECKING:
+    from kitemj.child import Child
+    from kitemj.cockpit.home import Kept
     from kitemj.cockpit.screens import Window
     from kitemj.controls.stick import Stick
     from kitemj.flight.scenario import Scenario
@@ -30,6 +34,8 @@ NOTES = """\
 Left stick, arrow keys or A/D, or the mouse with its button held: the lines.
 W/S or the right stick: let out and take in. F1 shows all keys, Esc leaves."""
 
+LEARNT_ON = "trainer"
+"""The kite of the lessons, and of who names none."""
 SHOW_DURATION = 20.0
 """s; of a flight that nobody watches."""
 LONG = 20.0
@@ -39,8 +45,8 @@ LONG = 20.0
 def add(parser: Parser) -> None:
     """Adds its arguments."""
     parser.add_argument("scenario", type=Path, nargs="?", help=SCENARIO)
-    says = "without a scenario: sport, thesis, laksa, or a TOML file that changes one of them"
-    parser.add_argument("--kite", default="sport", metavar="SET", help=says)
+    says = "without a scenario: trainer, sport, thesis, laksa, or a TOML file that changes one"
+    parser.add_argument("--kite", default=LEARNT_ON, metavar="SET", help=says)
     parser.add_argument("--arm", type=float, metavar="M", help="arms of so much, which limits δ")
     parser.add_argument("--stick", type=Path, metavar="FILE.csv", help="a table flies, nobody else")
     add_pilot(parser)
@@ -52,6 +58,7 @@ def add(parser: Parser) -> None:
     says = "the assist flies what the stick asks for at first, or not; in lessons it does"
     flag = argparse.BooleanOptionalAction
     parser.add_argument("--assist", action=flag, default=None, help=says)
+    parser.add_argument("--no-title", action="store_true", help="fly at once, from no title page")
     parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
     parser.add_argument("--headless", action="store_true", help="film a show, open no window")
     parser.add_argument("--film", type=Path, metavar="FILE.mp4", help="name of that film")
@@ -60,14 +67,77 @@ def add(parser: Parser) -> None:
     parser.add_argument("--no-record", action="store_true", help="leave no recording")
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     add_picture(parser)
+    says = "of the picture; auto: what this machine paints at 30 frames/s"
+    parser.add_argument("--quality", choices=QUALITY_NAMES, default="auto", help=says)
     add_step(parser)
 
 
+ASKED = (
+    *("scenario", "kite", "arm", "stick", "pilot", "past", "at", "lessons", "no_lessons"),
+    *("duration", "headless", "film", "record", "no_title", "model", "step"),
+)
+"""Who gives one of these wants a certain flight, and sees no title."""
+
+
 def run(args: argparse.Namespace) -> int:
-    """Flies, and tells of it; returns the exit status, NOT_WRITTEN for a recording cut short."""
+    """Flies, from the title page on unless a certain flight is asked for; the exit status."""
     from kitemj.realtime.launch import launch
 
     launched = launch()
+    asked = any(getattr(args, name) != args.parser.get_default(name) for name in ASKED)
+    import pygame
+
+    from kitemj.cockpit.screens import display_found
+
+    try:
+        if asked or not display_found():
+            return _fly(args, launched)
+        return _from_title(args, launched)
+    finally:
+        pygame.display.quit()
+
+
+def _from_title(args: argparse.Namespace, launched: "Child") -> int:
+    """Flies, looks and learns as a person chooses, until they leave; the last exit status."""
+    from kitemj.cockpit.home import Doors, Home, Kept
+    from kitemj.cockpit.screens import Window, fitting
+    from kitemj.controls.settings import settings_or_defaults
+    from kitemj.pilots.course import LESSONS
+    from kitemj.pilots.progress import read_progress
+
+    pixels = fitting(size(args.size))
+
+    def asking(kite: str, lessons: bool) -> argparse.Namespace:
+        """The arguments of somebody who asks for this flight."""
+        again = lessons and passed()[0] == len(LESSONS)
+        return argparse.Namespace(
+            **(vars(args) | {"kite": kite, "lessons": again, "no_lessons": not lessons})
+        )
+
+    def scenario(kite: str) -> "Scenario":
+        return _scenario(asking(kite, lessons=False))
+
+    def window(flown: "Scenario") -> Window:
+        return _window(flown, pixels, None)
+
+    def fly(kite: str, lessons: bool, child: "Child", kept: Kept) -> int:
+        return _fly(asking(kite, lessons), child, kept)
+
+    def passed() -> tuple[int, int]:
+        keys = [lesson.key for lesson in LESSONS]
+        return len(read_progress().passed.intersection(keys)), len(keys)
+
+    sound = settings_or_defaults()[0].sound
+    return Home(Doors(scenario, window, fly, passed), args.kite, pixels, sound, args.quality).run(
+        launched
+    )
+
+
+def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None) -> int:
+    """Flies, and tells of it; returns the exit status, NOT_WRITTEN for a recording cut short.
+
+    `launched`: the flight's process; `kept`: what is there before and after this flight.
+    """
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.screens import FilmScreen, Screen, display_found, fitting
     from kitemj.controls.stick import show_of
@@ -93,7 +163,8 @@ def run(args: argparse.Namespace) -> int:
     if course:  # its own start is the second one
         setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
     physics = FlightProcess(setup, launched)
-    with Picture(parameters, *pixels) as picture:
+    own = nullcontext(kept.picture) if kept else Picture(parameters, *pixels, args.quality)
+    with own as picture:
         physics.wait()
         screen: Screen
         if path:
@@ -102,12 +173,17 @@ def run(args: argparse.Namespace) -> int:
         else:
             screen = _window(setup.scenario, pixels, programme, args.assist, course)
         screen.wishes.view = args.view
+        if kept:
+            screen.wishes.sound = kept.sound
         try:
-            print(fly(physics, picture, screen, duration, args.called, course))
+            called = None if kept else args.called
+            print(fly(physics, picture, screen, duration, called, course))
         except (FlightError, OSError):  # why it ended is told last
             print(f"recording    {physics.recording}")
             raise
         finally:
+            if kept:
+                kept.sound = screen.wishes.sound
             if course:
                 print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
             if path and path.exists():
@@ -176,8 +252,8 @@ def _window(
     scenario: "Scenario",
     pixels: tuple[int, int],
     stick: "Stick | None",
-    assist: bool | None,
-    course: "Course | None",
+    assist: bool | None = None,
+    course: "Course | None" = None,
 ) -> "Window":
     """A window for a person, with what they have set; `stick` flies in their place."""
     from kitemj.cockpit.screens import Window
@@ -192,7 +268,9 @@ def _window(
         person.assist = True
     if complaint:
         person.notices.say(complaint, LONG)
-    return Window(*pixels, f"kitemj: {scenario.source}", person, stick)
+    window = Window(*pixels, f"kitemj: {scenario.source}", person, stick)
+    window.wishes.sound = settings.sound
+    return window
 
 
 def _scenario(args: argparse.Namespace) -> "Scenario":
@@ -222,7 +300,7 @@ def _course(args: argparse.Namespace) -> "Course | None":
     from kitemj.pilots.course import Course
     from kitemj.pilots.progress import read_progress
 
-    if args.no_lessons or args.scenario or args.past or args.kite != "sport":
+    if args.no_lessons or args.scenario or args.past or args.kite != LEARNT_ON:
         return None
-    course = Course(parameter_set("sport"), () if args.lessons else read_progress().passed)
+    course = Course(parameter_set(LEARNT_ON), () if args.lessons else read_progress().passed)
     return course if course.lesson else None

@@ -38,12 +38,13 @@ class Invert(NamedTuple):
 
 
 class Settings(NamedTuple):
-    """`assist` is one of `ASSISTS`; `pads` holds layouts by SDL's GUID of the pad."""
+    """`assist`: one of `ASSISTS`; `sound` means rumble too; `pads` by SDL's GUID of the pad."""
 
     feel: Feel = Feel()
     law: StickLaw = StickLaw.ANGLE
     invert: Invert = Invert()
     assist: str = ASSISTS[0]
+    sound: bool = True
     pads: Mapping[str, Layout] = {}
 
 
@@ -55,6 +56,7 @@ NEW_FILE = """\
 # two_sticks = false   # true: each stick holds one line
 # assist = "lessons"   # or "always" or "never": when a flight begins with the assist on
 # invert = { steer = false, reel = false }
+# sound = true         # false: begins without sound and rumble; a key in flight changes it
 """
 
 
@@ -82,7 +84,7 @@ def settings_or_defaults(path: Path | None = None) -> tuple[Settings, str]:
 
 def settings_of(tables: Mapping[str, Any], where: str) -> Settings:
     """The settings of a file's tables; `where` names the file in messages."""
-    check_keys(tables, [*Feel._fields, "law", "assist", "invert", "pads"], "", where)
+    check_keys(tables, [*Feel._fields, "law", "assist", "invert", "sound", "pads"], "", where)
     law = law_of(tables.get("law", "angle"), where)
     assist = tables.get("assist", ASSISTS[0])
     if assist not in ASSISTS:
@@ -93,8 +95,16 @@ def settings_of(tables: Mapping[str, Any], where: str) -> Settings:
         law,
         checked(Invert, table_of(tables.get("invert", {}), "invert", where), "invert", where),
         assist,
+        flag_of(tables.get("sound", True), "sound", where),
         {guid: layout_of(table, f"pads.{guid}", where) for guid, table in pads.items()},
     )
+
+
+def flag_of(value: Any, key: str, where: str) -> bool:
+    """The value, which must be true or false; else InputError, with `key` and `where`."""
+    if not isinstance(value, bool):
+        raise InputError(f"{key} must be true or false, got {value!r} ({where})")
+    return value
 
 
 def law_of(name: Any, where: str) -> StickLaw:

@@ -6,7 +6,7 @@ A lesson knows nothing of crashes, restarts or the other lessons; `course.py` do
 from math import asin, cos, degrees, pi, radians, sin
 from typing import NamedTuple, Protocol
 
-from kitemj.pilots.advice import MORE, SOME, Advice, completed, danger, stick, up
+from kitemj.pilots.advice import MORE, Advice, completed, danger, stick, up
 from kitemj.pilots.sight import LEFT, RIGHT, WORDS, Held, Observation
 
 

@@ -82,7 +82,7 @@ def section(scratch: Path) -> Section:
 
 def _renderer() -> str:
     """What draws."""
-    from kitemj.drawing.gl import open_graphics
+    from kitemj.scene.gl import open_graphics
 
     graphics = open_graphics(16, 16)
     graphics.context.free()
