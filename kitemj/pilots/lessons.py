@@ -6,6 +6,7 @@ A lesson knows nothing of crashes, restarts or the other lessons; `course.py` do
 from math import asin, cos, degrees, pi, radians, sin
 from typing import NamedTuple, Protocol
 
+from kitemj.physics.vectors import norm
 from kitemj.pilots.advice import MORE, Advice, completed, danger, stick, up
 from kitemj.pilots.sight import LEFT, RIGHT, WORDS, Held, Observation
 
@@ -216,6 +217,7 @@ class Landing:
 
     def __init__(self) -> None:
         self._side, self._flew = RIGHT, False
+        self._at_edge, self._pressed, self._t = False, 0.0, 0.0
 
     def watch(self, look: Observation) -> Advice:
         """A gentle touch after a flight; a kite found lying on the ground has not landed."""
@@ -228,9 +230,18 @@ class Landing:
         if self._side * azimuth < -OUT:  # the other edge is nearer
             self._side = -self._side
         way, high = self._side * azimuth / EDGE, min(max(elevation / EDGE, 0.0), 1.0)
-        if way < 1:
-            return self._out(look)._replace(progress=0.6 * max(way, 0.0))
+        still = self._side * azimuth > OUT and norm(look.motion.body.v_G_E) < STILL
+        self._at_edge = way > 1 or still or (self._at_edge and self._side * azimuth > OUT)
+        self._press(look)
+        if not self._at_edge:
+            return self._out(look)._replace(progress=0.6 * min(max(way, 0.0), 1.0))
         return self._down(look)._replace(progress=0.95 - 0.35 * high)
+
+    def _press(self, look: Observation) -> None:
+        """A kite that rights itself hangs at the edge: its nose is pressed down until it sinks."""
+        since, self._t = look.motion.t - self._t, look.motion.t
+        more = PRESS * (SINKING - look.motion.body.v_G_E.z) * since
+        self._pressed = max(0.0, min(DEEPEST, self._pressed + more)) if self._at_edge else 0.0
 
     def _out(self, look: Observation) -> Advice:
         if look.falling:
@@ -252,7 +263,7 @@ class Landing:
     def _sinking(self, look: Observation, to: float) -> Advice:
         """Out of the window, the nose as far below the horizontal as it is above `to` [deg]."""
         below = 0.6 * (look.sight.elevation - radians(to))
-        below = max(-CLIMB, min(SINK, below))
+        below = max(-CLIMB, min(SINK, below)) + self._pressed
         return stick(look, self._side * (pi / 2 + below), self._side * pi / 4)
 
 
@@ -260,3 +271,7 @@ EDGE, WAY = 64.0, 28.0
 """deg: azimuth beyond which the pull fades; elevation of the way there."""
 SINK, CLIMB = 0.2, 0.5
 """rad; of the nose below and above the horizontal, at most. Steeper is no landing any more."""
+STILL = 1.0
+"""m/s; a kite of much drag hangs at its edge."""
+SINKING, PRESS, DEEPEST = 1.0, 0.3, 1.2
+"""m/s down at the edge; rad/s of the nose for each m/s that is missing, and rad at most."""
