@@ -16,7 +16,7 @@ from kitemj.errors import InputError
 from kitemj.flight.live import TICK
 from kitemj.physics.shaping import StickLaw
 from kitemj.pilots.course import Course
-from kitemj.realtime.messages import Assisted, Deed, Rate, StartAt, Timekeeping
+from kitemj.realtime.messages import Assisted, Deed, Rate, Timekeeping
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
 from kitemj.recording.recorder import FLUSH
@@ -68,7 +68,7 @@ def fly(
     screen: shows them, and has the person's wishes; closed in the end
     duration: s of wall time; None: no end
     called: s by perf_counter, since when the first frame is waited for; None: now
-    course: the lessons; it watches what is painted, and has the flight's second start
+    course: the lessons; it watches what is painted
 
     Raises what ended the flight, if anything did, once the screen is closed.
     """
@@ -125,7 +125,6 @@ def _grant(
     deeds, turn, zoom = wishes.taken()
     others: list[str] = []
     physics.ask(Rate(wishes.pace))
-    physics.ask(StartAt(1 if course and course.start else 0))
     for deed in deeds:
         if deed == "watch":
             others.append(deed)

@@ -160,8 +160,6 @@ def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None
     else:
         pixels = fitting(pixels)
     course = None if path else _course(args)
-    if course:  # its own start is the second one
-        setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
     physics = FlightProcess(setup, launched)
     own = nullcontext(kept.picture) if kept else Picture(parameters, *pixels, args.quality)
     with own as picture:

@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import inf, pi
 from typing import NamedTuple
 
-from kitemj.dynamics.motion import Motion, State
+from kitemj.dynamics.motion import Motion
 from kitemj.flight.equilibrium import equilibrium_state
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.advice import LATE, Advice
@@ -21,8 +21,6 @@ PRAISED = 3.0
 READING = 0.4
 """s for which an advice stays at least: the kite may change faster than one reads."""
 
-ASIDE = 0.3
-"""rad; by how much η is turned to the left for a lesson that begins there."""
 NOTHING = Advice("", 0.0)
 NEVER_MIND = "Never mind, that is how one learns"
 FINISHED = "You have passed them all. The sky is yours"
@@ -31,14 +29,12 @@ FINISHED = "You have passed them all. The sky is yours"
 class Entry(NamedTuple):
     """A lesson in the course: its name in files, its title, and how an attempt begins.
 
-    `begin` is told the elevation of rest [rad]. `aside`: whether a flight begins off to the
-    left for this lesson.
+    `begin` is told the elevation of rest [rad].
     """
 
     key: str
     title: str
     begin: Callable[[float], Lesson]
-    aside: bool = False
 
 
 LESSONS = (
@@ -92,17 +88,6 @@ class Course:
     def lesson(self) -> Entry | None:
         """The one that is flown; None: all are passed."""
         return LESSONS[self._index] if self._index >= 0 else None
-
-    @property
-    def start(self) -> State | None:
-        """Where a flight should begin for this lesson; None: anywhere."""
-        return self.starts[0] if self.lesson and self.lesson.aside else None
-
-    @property
-    def starts(self) -> tuple[State]:
-        """The one start that lessons have besides the equilibrium: off to the left."""
-        q, q_dot = self._rest
-        return (State(q._replace(eta=q.eta + ASIDE), q_dot),)
 
     @property
     def status(self) -> LessonStatus:

@@ -217,11 +217,11 @@ class Landing:
 
     def __init__(self) -> None:
         self._side, self._flew = RIGHT, False
-        self._at_edge, self._pressed, self._t = False, 0.0, 0.0
+        self._hangs, self._pressed, self._t = False, 0.0, 0.0
 
     def watch(self, look: Observation) -> Advice:
-        """A gentle touch after a flight; a kite found lying on the ground has not landed."""
-        if look.touch and look.touch.gentle and self._flew:
+        """A touch that breaks nothing, after a flight: a kite found lying has not landed."""
+        if look.touch and look.touch.harmless and self._flew:
             return Advice("Landed", 0.0, 1.0)
         self._flew |= look.touch is None
         if look.assist:
@@ -231,9 +231,9 @@ class Landing:
             self._side = -self._side
         way, high = self._side * azimuth / EDGE, min(max(elevation / EDGE, 0.0), 1.0)
         still = self._side * azimuth > OUT and norm(look.motion.body.v_G_E) < STILL
-        self._at_edge = way > 1 or still or (self._at_edge and self._side * azimuth > OUT)
+        self._hangs = (self._hangs or still) and self._side * azimuth > OUT
         self._press(look)
-        if not self._at_edge:
+        if way < 1 and not self._hangs:
             return self._out(look)._replace(progress=0.6 * min(max(way, 0.0), 1.0))
         return self._down(look)._replace(progress=0.95 - 0.35 * high)
 
@@ -241,7 +241,7 @@ class Landing:
         """A kite that rights itself hangs at the edge: its nose is pressed down until it sinks."""
         since, self._t = look.motion.t - self._t, look.motion.t
         more = PRESS * (SINKING - look.motion.body.v_G_E.z) * since
-        self._pressed = max(0.0, min(DEEPEST, self._pressed + more)) if self._at_edge else 0.0
+        self._pressed = max(0.0, min(DEEPEST, self._pressed + more)) if self._hangs else 0.0
 
     def _out(self, look: Observation) -> Advice:
         if look.falling:

@@ -26,12 +26,6 @@ class Assisted(NamedTuple):
     on: bool
 
 
-class StartAt(NamedTuple):
-    """Which of the flight's starts the next restart goes to."""
-
-    start: int
-
-
 class Deed(Enum):
     """What is done once, before the next tick; `STEP` is a tick while paused."""
 
@@ -48,7 +42,7 @@ class Stop(NamedTuple):
     ending: str
 
 
-Wish = Begin | Rate | Assisted | StartAt | Deed | Command | Stop
+Wish = Begin | Rate | Assisted | Deed | Command | Stop
 
 
 class Timekeeping(NamedTuple):

@@ -16,7 +16,6 @@ from kitemj.realtime.messages import (
     Assisted,
     Deed,
     Rate,
-    StartAt,
     Stop,
     TickNews,
     Timekeeping,
@@ -107,8 +106,6 @@ class Pacer:
                 self._rate = wish.rate
             elif isinstance(wish, Assisted):
                 self._assisted = wish.on
-            elif isinstance(wish, StartAt):
-                self._start = wish.start
             elif isinstance(wish, Deed):
                 self._do(wish)
             elif isinstance(wish, Stop):
