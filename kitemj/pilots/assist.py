@@ -2,9 +2,12 @@
 
 The stick asks for how fast the nose turns, all of it for a loop; with the hands off the nose
 goes up and the kite back to the top of the window, as with the pilot `Hold`. Near the ground
-it refuses a dive: where the nose, turned up at once by whichever side is better, would come
-out too low, it is turned up. Nothing else is kept from the hand, and nothing but the lines is
-moved.
+it refuses a dive: where the kite, its nose turned up at once to whichever side is better, would
+come out too low, it is turned up. Nothing else is kept from the hand, and nothing but the lines
+is moved. A stick that is thrown about at full can still reach the ground.
+
+Written for kites of 1 to 2 m on lines of 20 to 25 m, as the sets `sport` and `trainer`, in 5 to
+8 m/s; the numbers are theirs, and no more exact than a pilot's.
 """
 
 from math import cos, pi, sin
@@ -26,15 +29,17 @@ LEAN, STEEP = 0.5, pi / 4
 OFF = 0.2
 """Of the stick's way; up to there the hand takes over from hands off."""
 
-HARD = 6.0
-"""rad/s; full stick, more or less."""
 CLEAR, FADE = 0.2, 0.5
-"""m; of height that is kept, and over which the refusal begins."""
+"""s of flight: the height that is kept, and above it that over which the refusal fades."""
+HARD = 6.0
+"""rad/s that a refusal asks for, which is full stick."""
 DEAD, LAG, RADIUS, MOST = 0.15, 0.5, 6.0, 3.0
-"""s, m, rad/s; how soon a full stick turns the nose, on which circle, how fast at most."""
+"""s, s, m, rad/s: a full stick does nothing at first, then turns the nose by and by, on which
+circle, how fast at most."""
 DIVE = 0.35
 """1/m; of the square of the wind: what a kite gains straight down [m/s²]."""
 KEEP = 1.0
+"""m for each rad/s; by so much the side is better to which the nose turns already."""
 HANDS = 1.5
 """rad/s of δ; how fast hands that pull the other way come over."""
 STEP, LONG = 0.1, 2.5
