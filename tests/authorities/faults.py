@@ -378,14 +378,14 @@ FAULTS = [
     ),
     Fault(
         "an angle of the air told in rad",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{degrees(angle):.1f}°"',
         'f"{angle:.1f}°"',
         PANELS,
     ),
     Fault(
         "the height told as z_E",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{-motion.body.p_G_E.z:.1f} m"',
         'f"{motion.body.p_G_E.z:.1f} m"',
         PANELS,
@@ -399,7 +399,7 @@ FAULTS = [
     ),
     Fault(
         "twist to the left told as right",
-        "drawing.instruments",
+        "drawing.flight_panels",
         "{'right' if turns > 0 else 'left'}",
         "{'left' if turns > 0 else 'right'}",
         PANELS,
@@ -560,7 +560,7 @@ FAULTS = [
     ),
     Fault(
         "the airspeed in km/h",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{motion.air.speed:.1f} m/s"',
         'f"{3.6 * motion.air.speed:.1f} m/s"',
         PANELS,
@@ -613,5 +613,19 @@ FAULTS = [
         "points[:, 2] -= plan.span",
         "points[:, 2] += plan.span",
         BELLIES,
+    ),
+    Fault(
+        "left and right exchanged before a pilot's eyes",
+        "drawing.head_up",
+        '"LR"[side]',
+        '"RL"[side]',
+        PANELS,
+    ),
+    Fault(
+        "a pilot's airspeed told in km/h",
+        "drawing.head_up",
+        'f"{motion.air.speed:.1f}"',
+        'f"{3.6 * motion.air.speed:.1f}"',
+        PANELS,
     ),
 ]
