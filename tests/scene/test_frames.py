@@ -89,7 +89,8 @@ def test_light_goes_through_the_sail(renderer: Renderer) -> None:
     camera = CAMERAS["chase"](STUNT, motion)
     white = plus(motion.body.p_G_E, unrotated(motion.body.R_BE, Vector(-0.2, 0.06, 0.0)))
     at = pixel(camera, white, *SIZE)
-    assert frame(renderer, motion, camera)[round(at.row), round(at.column)].min() > 110
+    panel = frame(renderer, motion, camera)[around(at, 3)].min(axis=2)
+    assert panel.max() > 215, "white, beside rods and seams"
 
 
 @pytest.mark.parametrize("place", [0.1, 0.5, 0.8])
