@@ -22,10 +22,10 @@ OVERHEAD = 0.7  # how far from the zenith, in parts of the lines, yaws begin to 
 
 BEHIND, ASIDE, EYE = 5.0, 0.9, 1.5  # m from O_E: behind the pilot, to the right, above ground
 HORIZON = 0.78  # half heights of the frame below its middle
-KITE, KITE_LOW = 0.58, 0.60  # half heights above the middle, and below it for one on the ground
+KITE, KITE_LOW = 0.53, 0.60  # half heights above the middle, and below it for one on the ground
 EASING = radians(3.0)
 NARROW, NARROWEST = radians(36.0), radians(22.0)  # for a kite that is low; far
-LOW_SPAN, HIGH_SPAN = 0.045, 0.065  # of the width of a frame, at least, for a kite low and high
+LOW_SPAN, HIGH_SPAN = 0.045, 0.075  # of the width of a frame, at least, for a kite low and high
 LOW, HIGH = radians(40.0), radians(62.0)
 
 CHASE_FIELD = radians(50.0)
