@@ -59,7 +59,7 @@ def coast_distance(length: float) -> float:
 def squares(length: float, side: int) -> tuple[Square, ...]:
     """The ground for lines of `length` [m], its finest textures `side` texels wide."""
     outer = [INNERMOST * FARTHER**k for k in range(SQUARES)]
-    sides = [side if k < 3 else side // 2 for k in range(SQUARES)]
+    sides = [side if k < 4 else side // 2 for k in range(SQUARES)]
     with ThreadPoolExecutor() as pool:  # numpy lets them run beside one another
         images = pool.map(partial(land, coast_distance(length)), outer, sides)
         return tuple(map(Square, [0.0, *outer[:-1]], outer, images))

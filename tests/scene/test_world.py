@@ -89,7 +89,8 @@ def test_the_engine_shows_the_sky_where_it_was_painted(renderer: Renderer, turn:
     parts = [rays @ np.array(axis) for axis in (ALONG, LEFT, views.UP)]
     expected = blocks(255 * sky_colour(*parts)[0])
     pixels = renderer.frame()
-    assert pixels[[0, -1]].any(axis=-1).all() and pixels[:, [0, -1]].any(axis=-1).all(), "whole"
+    assert pixels[[0, -1]].any(axis=-1).all(), "to the upper and lower edge"
+    assert pixels[:, [0, -1]].any(axis=-1).all(), "to the edges at the sides"
     frame = blocks(pixels[..., 0].astype(float))
     assert np.abs(frame - expected).max() < 0.25 * np.ptp(expected)
     assert np.corrcoef(frame.ravel(), expected.ravel())[0, 1] > LIKENESS
