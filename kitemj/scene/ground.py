@@ -5,7 +5,6 @@ of the lines, a bay ahead of the pilot; the rest is in metres, whatever the line
 Coordinates are those of the land's frame: x ahead (downwind), y left, the pilot at 0.
 """
 
-from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache, partial
 from typing import NamedTuple
 
@@ -60,9 +59,8 @@ def squares(length: float, side: int) -> tuple[Square, ...]:
     """The ground for lines of `length` [m], its finest textures `side` texels wide."""
     outer = [INNERMOST * FARTHER**k for k in range(SQUARES)]
     sides = [side if k < 4 else side // 2 for k in range(SQUARES)]
-    with ThreadPoolExecutor() as pool:  # numpy lets them run beside one another
-        images = pool.map(partial(land, coast_distance(length)), outer, sides)
-        return tuple(map(Square, [0.0, *outer[:-1]], outer, images))
+    images = map(partial(land, coast_distance(length)), outer, sides)
+    return tuple(map(Square, [0.0, *outer[:-1]], outer, images))
 
 
 def land(coast: float, half: float, side: int) -> NDArray[np.uint8]:
