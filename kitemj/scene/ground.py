@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from kitemj.scene.noise import Field, mixed, on_grid, smooth, tile_of
 from kitemj.scene.sky import HILLS, HORIZON
 
+MARGIN = 1.04  # of a picture over its square: at the rim it would be mixed with the other side
 INNERMOST = 14.0  # m, half the side of the finest square
 FARTHER = 3  # times as large as the one in it is each square
 SQUARES = 7
@@ -42,7 +43,10 @@ class Place(NamedTuple):
 
 
 class Square(NamedTuple):
-    """A square frame of ground: half sides `inner` (0: whole) and `outer` [m], its texture."""
+    """A square frame of ground: half sides `inner` (0: whole) and `outer` [m], its picture.
+
+    The picture's half side is `MARGIN` times the outer.
+    """
 
     inner: float
     outer: float
@@ -59,7 +63,8 @@ def squares(length: float, side: int) -> tuple[Square, ...]:
     """The ground for lines of `length` [m], its finest textures `side` texels wide."""
     outer = [INNERMOST * FARTHER**k for k in range(SQUARES)]
     sides = [side if k < 4 else side // 2 for k in range(SQUARES)]
-    images = map(partial(land, coast_distance(length)), outer, sides)
+    halves = [MARGIN * half for half in outer]
+    images = map(partial(land, coast_distance(length)), halves, sides)
     return tuple(map(Square, [0.0, *outer[:-1]], outer, images))
 
 
