@@ -30,7 +30,7 @@ def enlargement(parameters: Parameters) -> float:
 def add_kites(spec: Any, parameters: Parameters) -> None:
     """Adds the bodies "kite" and "reference", moved by mocap in this order."""
     cloth = canopy(parameters.kite)
-    add_texture(spec, "sail", mujoco.mjtTexture.mjTEXTURE_2D, cloth.image)
+    add_texture(spec, "sail", cloth.image)
     spec.material("sail").emission = GLOW
     spec.add_material(name="reference", emission=GLOW, specular=0.0)
     points = cloth.shape(Fill(1.0, 1.0, 0.0))

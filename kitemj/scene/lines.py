@@ -16,6 +16,7 @@ from kitemj.scene.strokes import Strokes
 COLOURS = (RED, BLUE)  # of the first lines, the pilot's left and right; others: DARK
 EDGE = 2  # px by which the dark line below is wider: one of the two is seen against anything
 EDGE_SHADE = 0.3
+DETAIL = 60.0  # px of span from which thin things are drawn
 SAG_PIECES = 16
 SLACK = 1e-4  # m, a line longer than its distance by more hangs
 
@@ -39,11 +40,18 @@ def add_lines(
         strokes.line(points, width, colour or own)
 
 
-def add_bridle(strokes: Strokes, parameters: Parameters, motion: Motion, cloth: Cloth) -> None:
-    """Draws the bridle's legs, from the attachments to the sail, and the rods of its frame."""
+def add_bridle(
+    strokes: Strokes, parameters: Parameters, motion: Motion, cloth: Cloth, seen: float
+) -> None:
+    """Draws the bridle's legs, from the attachments to the sail, and the rods of its frame.
+
+    Not where they would hide the sail: `seen` is its span in px.
+    """
+    if seen < DETAIL:
+        return
     body = motion.body
     to_E = np.array(body.R_BE)
-    strokes.lines(cloth.rods @ to_E + body.p_G_E, 1.5, DARK)
+    strokes.lines(cloth.rods @ to_E + body.p_G_E, 1.0 if seen < 2 * DETAIL else 2.0, DARK)
     left, right = (attachment_E(parameters, body, side) for side in (1.0, -1.0))
     ends = cloth.bridle @ to_E + body.p_G_E
     knots = np.where(cloth.bridle[:, 1:2] > 0, left, right)

@@ -19,11 +19,12 @@ from kitemj.scene import scenery as look
 from kitemj.scene.figure import Hands, add_pilot, hands
 from kitemj.scene.forces import add_forces
 from kitemj.scene.ground import EXTENT
-from kitemj.scene.kites import KITE, REFERENCE, REFERENCE_GROUP, Sails
+from kitemj.scene.kites import KITE, REFERENCE, REFERENCE_GROUP, Sails, enlargement
 from kitemj.scene.lines import add_bridle, add_lines, from_body
 from kitemj.scene.quality import Quality
 from kitemj.scene.strokes import Strokes
 from kitemj.scene.sun import sun
+from kitemj.scene.surroundings import Surroundings
 from kitemj.scene.views import NEAR, UP, Camera, downwind
 
 O_E = Vector(0.0, 0.0, 0.0)
@@ -40,13 +41,14 @@ class Scene:
     """The drawing model with its state; `mjv` is what MuJoCo renders."""
 
     def __init__(self, parameters: Parameters, width: int, height: int, quality: Quality) -> None:
-        self.parameters = parameters
+        self.parameters, self.rings = parameters, False
         self.model = look.drawing_model(parameters, width, height, quality)
         self.mjv = mujoco.MjvScene(self.model, MAX_GEOMS)
         self._data = mujoco.MjData(self.model)
         self._option = mujoco.MjvOption()
         self._free = mujoco.MjvCamera()
-        self._references = np.flatnonzero(self.model.geom_group >= REFERENCE_GROUP)
+        self._references = np.flatnonzero(self.model.geom_group == REFERENCE_GROUP)
+        self.surroundings = Surroundings(parameters, self.model)
         self._sails = Sails(parameters, self.model)
         self._strokes = Strokes(self.mjv)
         self.mjv.flags[:] = 0
@@ -70,6 +72,7 @@ class Scene:
         visible = 0.0 if reference is None else _visibility(motion, reference, self.parameters)
         self._option.geomgroup[1:] = 0
         self._option.geomgroup[KITE + wide] = 1
+        self._option.geomgroup[look.RING_GROUP] = self.rings
         self._option.geomgroup[REFERENCE_GROUP + wide] = visible > 0
         model, data = self.model, self._data
         for mocap, each in enumerate((motion,) if reference is None else (motion, reference)):
@@ -81,6 +84,7 @@ class Scene:
         mujoco.mj_camlight(model, data)
         mujoco.mjv_updateScene(model, data, self._option, None, self._free, ALL, self.mjv)
         self._aim(camera)
+        self.surroundings.add(self.mjv, motion, enlargement(self.parameters) if wide else 1.0)
         scale = self._figure_scale(camera)
         held = Hands(*(times(scale, hand) for hand in hands(self.parameters, motion)))
         add_lines(strokes, motion, held, line)
@@ -88,7 +92,9 @@ class Scene:
             add_lines(strokes, reference, held, THIN, REFERENCE)
         add_pilot(strokes, self.parameters, motion, scale)
         if not wide:
-            add_bridle(strokes, self.parameters, motion, self._sails.cloth)
+            far = norm(minus(motion.body.p_G_E, camera.position))
+            seen = self.parameters.kite.span / far * rows / 2 / tan(camera.field / 2)
+            add_bridle(strokes, self.parameters, motion, self._sails.cloth, seen)
         if forces:
             if camera.near:
                 add_forces(strokes, self.parameters, motion)

@@ -21,16 +21,16 @@ NEAR_ORBIT = 8.0  # spans, up to here the kite is seen with its forces
 OVERHEAD = 0.7  # how far from the zenith, in parts of the lines, yaws begin to go to zero
 
 BEHIND, ASIDE, EYE = 5.0, 0.9, 1.5  # m from O_E: behind the pilot, to the right, above ground
-HORIZON = 0.77  # half heights of the frame below its middle
-KITE, KITE_LOW = 0.56, 0.60  # half heights above the middle, and below it for one on the ground
+HORIZON = 0.78  # half heights of the frame below its middle
+KITE, KITE_LOW = 0.58, 0.60  # half heights above the middle, and below it for one on the ground
 EASING = radians(3.0)
 NARROW, NARROWEST = radians(36.0), radians(22.0)  # for a kite that is low; far
-LOW_SPAN, HIGH_SPAN = 0.05, 0.065  # of the width of a frame, at least, for a kite low and high
-LOW, HIGH = radians(35.0), radians(60.0)
+LOW_SPAN, HIGH_SPAN = 0.045, 0.065  # of the width of a frame, at least, for a kite low and high
+LOW, HIGH = radians(40.0), radians(62.0)
 
 CHASE_FIELD = radians(50.0)
 CHASE_SPANS = 3.6  # from the kite
-CHASE_ABOVE = radians(2.5)  # the lines, which else would be seen from their end
+CHASE_ABOVE = radians(5.0)  # the lines, which else would be seen from their end
 CHASE_LOW = radians(3.0)  # how much lower than the kite it looks
 LEAST_EYE = 0.7  # m above the ground
 

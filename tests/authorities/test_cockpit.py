@@ -97,7 +97,7 @@ def test_views_show_what_is_left_on_the_left():
     assert seen_at("side", upwind)[0] < seen_at("side", ahead)[0], "from left to right"
     assert seen_at("top", upwind)[1] > seen_at("top", ahead)[1], "up the picture"
     for view in ("pilot", "side", "chase"):
-        low, high = Vector(-80.0, -60.0, -10.0), Vector(-80.0, -60.0, -90.0)
+        low, high = Vector(-80.0, -60.0, -95.0), Vector(-80.0, -60.0, -105.0)
         assert seen_at(view, high)[1] < seen_at(view, low)[1], view
 
 

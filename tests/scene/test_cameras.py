@@ -37,7 +37,7 @@ def test_the_chase_camera_holds_in_any_attitude(overrides: dict[str, dict[str, f
         at = views.pixel(camera, motion.body.p_G_E, 1280, 720)
         if motion.body.p_G_E.z < 0:
             assert 500 < at.column < 780
-            assert 300 < at.row < 350
+            assert 300 < at.row < 370, "near the middle, but for an eye at the ground"
         assert camera.forward.x < 0, "downwind, so that +y_E stays on the left"
 
 
