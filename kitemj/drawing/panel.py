@@ -89,7 +89,7 @@ class Panel:
         self.text(value, self.width - EDGE, y, height, colour, 1)
 
     def fitting(self, text: str, height: float, room: float) -> float:
-        """The digit height [units], at most `height`, in which `text` takes up to `room` [units]."""
+        """The digit height, up to `height`, in which `text` takes at most `room` [all in units]."""
         while self.wide(text, height) > room and height > 1.0:
             height *= 0.95
         return height

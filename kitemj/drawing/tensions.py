@@ -67,9 +67,9 @@ def paint_tensions(
             share = scale.share(tension)
             panel.bar(BAR, row - half, share * ROOM, 2 * half, BAD if over else colour)
             _marks(panel, scale, parameters.limits.tension_max, row, half)
-        colour, size = (CALL, LARGE) if slack or over else (WHITE, NUMBER)
-        size = size if alarm == NOW else NUMBER
-        size = panel.fitting(newtons(tension), size, panel.width - BAR - ROOM - EDGE - GAP)
+        beyond = slack or over
+        most, colour = LARGE if beyond and alarm == NOW else NUMBER, CALL if beyond else WHITE
+        size = panel.fitting(newtons(tension), most, panel.width - BAR - ROOM - EDGE - GAP)
         panel.text(newtons(tension), panel.width - EDGE, row, size, colour, 1)
 
 
