@@ -97,7 +97,7 @@ class Instruments:
     def _say(
         self, surface: pygame.Surface, readings: Readings, alarm: Alarm | None, depth: str
     ) -> None:
-        """Paints lesson and touch of the ground at the foot, alarm and message where room is."""
+        """Paints the lesson at the foot, a touch of the ground high, alarm and message beside."""
         room, u, top = self.room(depth), self.u, depth == "engineer"
 
         def take(box: pygame.Rect) -> pygame.Rect:

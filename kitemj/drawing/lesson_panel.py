@@ -1,6 +1,7 @@
 """The panels of a first flight: the lesson with its advice, and how the kite met the ground.
 
-Both lie at the foot of the picture, below the kite's usual place.
+The lesson lies at the foot of the picture, below the kite; the card in the sky, over a kite that
+lies on the ground.
 """
 
 import pygame
@@ -15,6 +16,7 @@ HEIGHT, CARD_EDGE = 116, 16  # units
 GAP = 10  # units between things that lie above one another
 SIZES = ((1, 20), (1, 18), (2, 20), (2, 18), (2, 16))
 """Lines that an advice takes at most, and its digits [units]: the first that fits."""
+HIGH = 0.22  # of the room above and below it, the part above a card
 SMALL = 16.0  # units, digits of the rest
 LEADING = 1.5  # of lines, in digit heights
 ARROWS = 84  # units at either end, for which way the stick should go
@@ -82,7 +84,7 @@ def paint_touch(
     touch: Touch,
     lesson: LessonStatus | None = None,
 ) -> pygame.Rect:
-    """Paints what broke, how fast, where, what to do, at the foot of `room` [px]; its box [px].
+    """Paints what broke, how fast, where, what to do, high in `room` [px]; returns its box [px].
 
     A `lesson` that waits for another flight has its say on the card.
     """
@@ -96,7 +98,7 @@ def paint_touch(
             break
     wide = max(width(text, size * unit, True) for text, size, _ in lines) / unit + 2 * CARD_EDGE
     box = pygame.Rect(0, 0, round(wide * unit), round(tall * unit))
-    box.midbottom = (surface.get_width() // 2, room.bottom)
+    box.midtop = surface.get_width() // 2, room.top + round(HIGH * max(room.height - box.height, 0))
     box.clamp_ip(room)
     panel = Panel(surface, (box.left, box.top, wide, tall), unit)
     panel.ground()

@@ -66,7 +66,7 @@ def apart(boxes: list[pygame.Rect]) -> bool:
 
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("depth", ["pilot", "engineer"])
-def test_lesson_card_and_toasts_stand_over_each_other(size: tuple[int, int], depth: str) -> None:
+def test_lesson_card_and_toasts_stand_beside_each_other(size: tuple[int, int], depth: str) -> None:
     cockpit = Cockpit(size)
     surface, unit, room = cockpit.surface, cockpit.unit, cockpit.room(depth)
     boxes = [cockpit.lesson(depth)]
@@ -78,7 +78,7 @@ def test_lesson_card_and_toasts_stand_over_each_other(size: tuple[int, int], dep
     boxes.append(paint_message(surface, left, unit, "the gamepad is gone"))
     assert apart(boxes)
     assert all(room.contains(box) for box in boxes)
-    assert [box.bottom for box in boxes] == sorted((b.bottom for b in boxes), reverse=True)
+    assert boxes[1].bottom < 0.6 * surface.get_height(), "px, above a kite on the ground"
 
 
 @pytest.mark.parametrize("size", SIZES)
