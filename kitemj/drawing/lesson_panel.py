@@ -18,7 +18,7 @@ SIZES = ((1, 20), (1, 18), (2, 20), (2, 18), (2, 16))
 """Lines that an advice takes at most, and its digits [units]: the first that fits."""
 HIGH = 0.22  # of the room above and below it, the part above a card
 SMALL = 16.0  # units, digits of the rest
-LEADING = 1.5  # of lines, in digit heights
+LEADING = 1.6  # of lines, in digit heights
 ARROWS = 84  # units at either end, for which way the stick should go
 CHEVRONS = (0.1, 0.3, 0.7)  # of the stick's way, from which on each is lit
 START_AGAIN, FLY_AGAIN = "R or the pad's A button starts again", "R or A flies again"
@@ -99,7 +99,6 @@ def paint_touch(
     wide = max(width(text, size * unit, True) for text, size, _ in lines) / unit + 2 * CARD_EDGE
     box = pygame.Rect(0, 0, round(wide * unit), round(tall * unit))
     box.midtop = surface.get_width() // 2, room.top + round(HIGH * max(room.height - box.height, 0))
-    box.clamp_ip(room)
     panel = Panel(surface, (box.left, box.top, wide, tall), unit)
     panel.ground()
     panel.bar(CARD_EDGE, 7, wide - 2 * CARD_EDGE, 3, GOOD if touch.gentle else CALL)
@@ -115,9 +114,9 @@ def _card(touch: Touch, advice: str, inner: float, unit: float) -> list[tuple[st
     """Lines not wider than `inner` [units]: text, size [units], colour."""
     guess = "" if touch.gentle else f" ({touch.reason})"
     said = (
-        (touch.damage, 22.0, GOOD if touch.gentle else CALL),
+        (touch.damage, 20.0, GOOD if touch.gentle else CALL),
         (f"First the {touch.part}, {touch.pace}, {touch.place}{guess}", SMALL, WHITE),
-        (advice, 18.0, CALL),
+        (advice, 17.0, CALL),
     )
     return [
         (line, size, colour)
