@@ -12,7 +12,7 @@ from kitemj.cockpit.home import Doors, Home
 from kitemj.cockpit.menu import Entry, Menu
 from kitemj.cockpit.screens import Window, display_found
 from kitemj.cockpit.title import Title
-from kitemj.cockpit.title_page import paint_title
+from kitemj.cockpit.title_page import _shade, paint_title
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
 from kitemj.drawing.picture import Picture
@@ -191,3 +191,31 @@ def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypa
     assert len(surfaces) == 1
     assert Child.closed == 1, "the one that flew nothing"
     pygame.display.quit()
+
+
+def luminance(pixels):
+    """Relative luminance of sRGB colours (n, 3) in 0..255; WCAG 2.1."""
+    share = np.asarray(pixels, float) / 255
+    linear = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+    return linear @ (0.2126, 0.7152, 0.0722)
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1280, 720), (640, 360)])
+def test_what_is_written_is_legible_before_a_white_cloud(size):
+    """A contrast of 4.5 : 1 (WCAG 2.1, 1.4.3) where the page differs from its bare shade."""
+    made, white = menu(), pygame.Surface(size)
+    made.entries[3].says = "a sentence that is rather long, so that it fills its room"
+    made.marked = 3
+    white.fill((255, 255, 255))
+    paint_title(white, made)
+    bare = pygame.Surface(size)
+    bare.fill((255, 255, 255))
+    bare.blit(_shade(size), (0, 0))
+    written, ground = (pygame.surfarray.array3d(each).astype(int) for each in (white, bare))
+    changed = np.argwhere(np.abs(written - ground).max(axis=2) > 0)
+    assert changed[:, 0].max() < 0.45 * size[0], "nothing is written on the kite's side"
+    text = luminance(written[tuple(changed.T)])
+    behind = luminance(ground[tuple(changed.T)])
+    strokes = text >= np.quantile(text, 0.7)  # the rest are their soft edges
+    contrast = (text[strokes] + 0.05) / (behind[strokes] + 0.05)
+    assert contrast.min() >= 4.5
