@@ -15,7 +15,7 @@ LEFT = 92  # units of a frame of 720 rows, as all sizes here
 NAME_ROW, SAYS_ROW, FIRST_ROW, STEP, TOLD_ROW, HINT_ROW = 138, 212, 312, 56, 606, 676
 LARGE, USUAL, SMALL, LEAST = 74, 26, 17, 9  # heights of digits; px that the smallest takes
 SHUT: Colour = (166, 174, 184)
-ROOM, SHADED = 0.4, 0.68
+ROOM, SHADED = 0.4, 0.74
 """Parts of the width: text keeps to the first, and the shade below it ends at the second."""
 DARK = 0.76
 """Of the light that the shade takes: what is written stays legible before a white cloud."""
