@@ -35,7 +35,7 @@ def show(recording: Recording, again: Replay | None, size: tuple[int, int], view
     InputError before a window opens.
     """
     settings, _ = settings_or_defaults()
-    with Picture(recording.parameters, *fitting(size, HEIGHT)) as picture:
+    with Picture(recording.parameters, *fitting(size, HEIGHT), "auto") as picture:
         person = PersonStick(settings, recording.parameters)
         window = Window(picture.width, picture.height + HEIGHT, "kitemj", person)
         window.wishes.view, window.wishes.sound = view, settings.sound

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import (
     MODELS,
+    QUALITY_NAMES,
     SCENARIO,
     Parser,
     add_picture,
@@ -61,6 +62,8 @@ def add(parser: Parser) -> None:
     parser.add_argument("--no-record", action="store_true", help="leave no recording")
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     add_picture(parser)
+    says = "of the picture; auto: what this machine paints at 30 frames/s"
+    parser.add_argument("--quality", choices=QUALITY_NAMES, default="auto", help=says)
     add_step(parser)
 
 
@@ -120,7 +123,9 @@ def _from_title(args: argparse.Namespace, launched: "Child") -> int:
         return len(read_progress().passed.intersection(keys)), len(keys)
 
     sound = settings_or_defaults()[0].sound
-    return Home(Doors(scenario, window, fly, passed), args.kite, pixels, sound).run(launched)
+    return Home(Doors(scenario, window, fly, passed), args.kite, pixels, sound, args.quality).run(
+        launched
+    )
 
 
 def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None) -> int:
@@ -153,7 +158,7 @@ def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None
     if course:  # its own start is the second one
         setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
     physics = FlightProcess(setup, launched)
-    own = nullcontext(kept.picture) if kept else Picture(parameters, *pixels)
+    own = nullcontext(kept.picture) if kept else Picture(parameters, *pixels, args.quality)
     with own as picture:
         physics.wait()
         screen: Screen

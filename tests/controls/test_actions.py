@@ -4,6 +4,7 @@ import pygame
 import pytest
 
 from kitemj.controls.actions import (
+    DEPTHS,
     HELP,
     INSTRUMENTS,
     MENU_BUTTONS,
@@ -43,17 +44,23 @@ def test_each_instrument_has_its_key():
     for key, name in zip(TOGGLES, INSTRUMENTS, strict=True):
         wishes = Wishes()
         wishes.ask([KEYS[key]])
+        assert wishes.depth == "engineer", "where single instruments are"
+        assert wishes.shown == set(INSTRUMENTS)
+        wishes.ask([KEYS[key]])
         assert wishes.shown == set(INSTRUMENTS) - {name}
         wishes.ask([KEYS[key]])
         assert wishes.shown == set(INSTRUMENTS)
 
 
-def test_all_instruments_or_none():
-    wishes = Wishes()
-    wishes.ask(["toggle knob", "instruments"])
-    assert wishes.shown == set()
-    wishes.ask(["instruments"])
-    assert wishes.shown == set(INSTRUMENTS)
+def test_depths_go_round_and_keep_what_was_chosen():
+    wishes, seen = Wishes(), []
+    for _ in DEPTHS:
+        seen.append(wishes.depth)
+        wishes.ask(["instruments"])
+    assert tuple(seen) == DEPTHS == ("pilot", "engineer", "none")
+    wishes.ask(["instruments", "toggle knob", *["instruments"] * 3])
+    assert wishes.depth == "engineer"
+    assert wishes.shown == set(INSTRUMENTS) - {"knob"}
 
 
 def test_rates_and_pause():
