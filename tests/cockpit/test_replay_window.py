@@ -23,7 +23,7 @@ SPORT = scenario_of({"set": "sport", "duration": 60.0}, "test")
 
 @pytest.fixture(scope="module")
 def picture():
-    with Picture(SPORT.parameters, *SIZE) as picture:
+    with Picture(SPORT.parameters, *SIZE, quality="low") as picture:
         yield picture
 
 

@@ -72,10 +72,15 @@ def window(monkeypatch):
     pygame.display.quit()
 
 
+@pytest.fixture(scope="module")
+def picture():
+    with Picture(SPORT.parameters, *SIZE, quality="low") as picture:
+        yield picture
+
+
 @pytest.fixture
-def title(window):
-    with Picture(SPORT.parameters, *SIZE) as picture:
-        yield Title(picture, window, menu(), Demonstration(SPORT))
+def title(window, picture):
+    return Title(picture, window, menu(), Demonstration(SPORT))
 
 
 def mouse(kind, at, **more):
@@ -146,8 +151,11 @@ def test_latest_is_the_flight_last_written_here(tmp_path):
     assert latest(tmp_path) == tmp_path / "kitemj-1.arrows"
 
 
-class Child:
-    """A process that does nothing."""
+class Idle:
+    """A process, or a picture, that does nothing."""
+
+    def __init__(self, parameters=None, *_):
+        self.parameters = parameters
 
     def close(self):
         pass
@@ -158,7 +166,9 @@ def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypa
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("kitemj.cockpit.home.launch", Child)
+    monkeypatch.setattr("kitemj.cockpit.home.launch", Idle)
+    monkeypatch.setattr("kitemj.cockpit.home.Picture", Idle)
+    monkeypatch.setattr("kitemj.cockpit.home.Demonstration", Idle)
     assert display_found()
     flown, surfaces = [], set()
     wanted = iter(["fly", "lessons", "kite", "fly", "fly"])
@@ -184,7 +194,8 @@ def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypa
 
     monkeypatch.setattr(Title, "run", run)
     doors = Doors(scenario, window, fly, lambda: (2, 7))
-    assert Home(doors, "sport", SIZE, sound=True).run(Child()) == 4
+    home = Home(doors, "sport", SIZE, sound=True, quality="low")
+    assert home.run(Idle()) == 4
     thesis = ("thesis", False, False)
     assert flown == [("sport", False, True), ("sport", True, False), thesis, thesis]
     assert len(surfaces) == 1
