@@ -154,6 +154,8 @@ def test_latest_is_the_flight_last_written_here(tmp_path):
 class Idle:
     """A process, or a picture, that does nothing."""
 
+    width, height = SIZE
+
     def __init__(self, parameters=None, *_):
         self.parameters = parameters
 
