@@ -1,4 +1,7 @@
-"""Flights that show how a kite handles: left alone from anywhere, tapped, pushed, looped."""
+"""Flights that show how a kite handles: left alone from anywhere, tapped, pushed, looped.
+
+By newton-euler where no model is named: its coordinates go everywhere a kite goes.
+"""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -80,12 +83,12 @@ def flying(parameters: Parameters, place: Place) -> State:
     return State(q, Angles(phi, gamma, eta, 0.0))
 
 
-def back_after(parameters: Parameters, place: Place, model: str = "lagrange") -> float:
+def back_after(parameters: Parameters, place: Place, model: str = "newton-euler") -> float:
     """s until it is back at the top for good, hands level; inf: down, or not in `WATCHED`."""
     return home_after(parameters, left_alone(parameters, place, model))
 
 
-def left_alone(parameters: Parameters, place: Place, model: str = "lagrange") -> Array:
+def left_alone(parameters: Parameters, place: Place, model: str = "newton-euler") -> Array:
     """The path (n, 3) [m, E] of G with the hands level, a row each `EVERY`, until the ground."""
     times = np.arange(0.0, WATCHED + EVERY / 2, EVERY)
     kite, held = make_model(model, parameters), at_rest(parameters)
@@ -137,7 +140,7 @@ def flown(
     parameters: Parameters,
     pilot: Pilot,
     duration: float,
-    model: str = "lagrange",
+    model: str = "newton-euler",
     start: State | None = None,
 ) -> list[Motion]:
     """A motion a tick, from `start` (None: rest at the top), until the ground."""
