@@ -180,7 +180,7 @@ def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None
             raise
         finally:
             if kept:
-                kept.sound = screen.wishes.sound
+                kept.note(screen)
             if course:
                 print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
             if path and path.exists():
