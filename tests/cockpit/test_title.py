@@ -8,7 +8,7 @@ import pygame
 import pytest
 
 from kitemj.cli import main
-from kitemj.cockpit.demonstration import Demonstration
+from kitemj.cockpit.demonstration import MOST, Demonstration
 from kitemj.cockpit.home import Doors, Home
 from kitemj.cockpit.menu import Entry, Menu
 from kitemj.cockpit.screens import Window, display_found
@@ -19,6 +19,7 @@ from kitemj.controls.stick import PersonStick
 from kitemj.drawing.picture import Picture
 from kitemj.flight.live import Command
 from kitemj.flight.scenario import scenario_of
+from kitemj.physics.parameter_files import set_names
 from kitemj.recording.live import LiveFlight
 from kitemj.recording.recorder import latest
 from tests.controls.virtual_pad import VirtualPad
@@ -144,6 +145,14 @@ def test_the_demonstration_flies_and_begins_anew_after_the_ground(monkeypatch):
     monkeypatch.setattr("kitemj.cockpit.demonstration.touches_ground", lambda *_: True)
     show.advance(0.01)
     assert show.motion.t == 0.0
+
+
+@pytest.mark.parametrize("kite", set_names())
+def test_every_kite_has_a_show_that_stays_in_the_air(kite):
+    show = Demonstration(scenario_of({"set": kite, "duration": 60.0}, "test"))
+    for _ in range(150):
+        show.advance(MOST)
+    assert show.motion.t == pytest.approx(15.0)
 
 
 def test_latest_is_the_flight_last_written_here(tmp_path):
