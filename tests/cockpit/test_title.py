@@ -174,6 +174,8 @@ class Idle:
     def close(self):
         pass
 
+    kill = close
+
 
 def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypatch, tmp_path):
     """Be silent, fly, another kite, lessons, fly that one twice and close the window."""
