@@ -6,10 +6,10 @@ span by a bridle that is long. So the attachments tell which it is.
 
 from kitemj.physics.kite import Kite
 from kitemj.physics.vectors import Vector
-from kitemj.scene import delta, foil
+from kitemj.scene import foil, stunt
 from kitemj.scene.cloth import Cloth
 
-SHORT = 0.15
+SHORT = 0.25
 """Spans: attachments nearer below the centre of mass than this are those of a framed kite."""
 
 
@@ -20,10 +20,10 @@ def framed(kite: Kite) -> bool:
 
 def canopy(kite: Kite) -> Cloth:
     """The cloth of a kite, from its span, chord and attachments."""
-    return delta.delta(kite) if framed(kite) else foil.foil(kite)
+    return stunt.stunt(kite) if framed(kite) else foil.foil(kite)
 
 
 def surface_point(kite: Kite, across: float, along: float) -> Vector:
     """Point [m, B] of the sail: `across` -1 (A₋) to 1 (A₊), `along` 0 (nose) to 1 (tail)."""
-    point = delta.point if framed(kite) else foil.point
+    point = stunt.point if framed(kite) else foil.point
     return point(kite, across, along)
