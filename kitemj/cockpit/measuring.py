@@ -21,6 +21,8 @@ from kitemj.drawing.knob import HUB, OUTER
 from kitemj.drawing.picture import Picture
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
+from kitemj.physics.parameters import Parameters
+from kitemj.pilots.crash import Touch
 from kitemj.realtime.memory import peak_memory
 from kitemj.realtime.messages import TickNews
 from kitemj.realtime.process import FlightProcess
@@ -53,6 +55,12 @@ class TimedScreen(Screen):
     def poll(self) -> None:
         """Takes in what the person did since."""
         self._screen.poll()
+
+    def sense(
+        self, parameters: Parameters, motion: Motion, touch: Touch | None, moving: bool
+    ) -> None:
+        """Lets the person hear and feel, which costs time too."""
+        self._screen.sense(parameters, motion, touch, moving)
 
     def show(self, frame: Frame, wall: float) -> None:
         """Shows the frame."""

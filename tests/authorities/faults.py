@@ -528,8 +528,8 @@ FAULTS = [
     Fault(
         "lateness told in seconds",
         "drawing.strip_chart",
-        "late {1e3 * lateness:.1f}",
-        "late {lateness:.1f}",
+        "{1e3 * lateness:.1f} ms",
+        "{lateness:.1f} ms",
         PANELS,
     ),
     Fault(
