@@ -27,6 +27,7 @@ from kitemj.pilots.manoeuvres import Land
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
+from kitemj.scene.views import CAMERAS
 from tests.recording.flights import LOOPS, live_flight, recorded, restless
 
 SMALL = (320, 180)
@@ -109,8 +110,8 @@ def test_a_still_is_the_frame_of_that_moment(file, tmp_path):
     image = pygame.image.load(str(tmp_path / "a.png"))
     assert image.get_size() == SMALL
     source = RecordingSource(read_recording(file))
-    with Picture(source.parameters, *SMALL) as picture:
-        frame = picture.paint(*source.shot(2.2, 1.0)[:3], "chase")
+    with Picture(source.parameters, *SMALL, "film") as picture:
+        frame = picture.paint(*source.shot(2.2, 1.0)[:3], "pilot")
     np.testing.assert_array_equal(pygame.surfarray.array3d(image).swapaxes(0, 1), frame)
 
 
@@ -146,7 +147,8 @@ def test_two_models_of_one_scenario(tmp_path):
 def test_frames_of_two_processes_are_those_of_one(file):
     source = RecordingSource(read_recording(file))
     stage = Stage((source.parameters,), ("",), SMALL, "pilot", "engineer")
-    shots = [[source.shot(0.3 * i, 1.0)] for i in range(12)]
+    seen = CAMERAS["side"](source.parameters, source.shot(0.0, 1.0).motion)
+    shots = [[source.shot(0.3 * i, 1.0)._replace(camera=seen)] for i in range(12)]
     alone = [frame.copy() for frame in painted(stage, shots, 1)]
     together = [frame.copy() for frame in painted(stage, shots, 2)]
     np.testing.assert_array_equal(alone, together)
