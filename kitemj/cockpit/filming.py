@@ -1,5 +1,6 @@
 """Films and still pictures of flights, made without a screen as fast as it goes."""
 
+import time
 from collections.abc import Sequence
 from contextlib import closing
 from io import BytesIO
@@ -71,6 +72,7 @@ def film(
             f"{end - start:g} s at `speed` {style.speed:g} are more than {MOST_FRAMES} frames: "
             f"film less of it, or at a speed >= {slowest:.2g}"
         )
+    begun = time.perf_counter()
     count = int((end - start) / style.speed * style.rate + 1e-6) + 1
     times = [start + i * style.speed / style.rate for i in range(count)]
     # painters see single frames; where a view stands follows from all before
@@ -92,7 +94,8 @@ def film(
             raise NoGraphics(f"{reason}; {kept}") from None
         return f"interrupted: {kept}"
     endings = "; ".join(source.ending for source in sources)
-    return f"{path}: {written.frames} frames; {endings}"
+    taken = time.perf_counter() - begun
+    return f"{path}: {written.frames} frames, painted in {taken:.1f} s; {endings}"
 
 
 def still(

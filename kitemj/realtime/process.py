@@ -38,8 +38,8 @@ class FlightProcess:
 
     `update` brings `result`, `times`, `touch`, `problem` and `memory` up to date (they are as in
     `TickNews`); `command` is the last that was asked for, `recording` what became of that, and
-    `cut` whether the disk did not take all of it. What is raised there is raised here:
-    InputError, FlightError; and so is its silence.
+    `cut` whether the disk did not take all of it, `started` whether time ever began. What is
+    raised there is raised here: InputError, FlightError; and so is its silence.
     """
 
     def __init__(self, setup: FlightSetup, launched: Child | None = None) -> None:
@@ -49,7 +49,7 @@ class FlightProcess:
         self.touch: Touch | None = None
         self.problem, self.memory = "", 0.0
         self.result: TickResult
-        self.recording, self.cut = "none", False
+        self.recording, self.cut, self.started = "none", False, False
         self._ready, self._ended = False, False
         self.command, self._asked = Command(), dict[type, Wish]()
         self._heard: list[TickNews] = []
@@ -69,6 +69,7 @@ class FlightProcess:
 
     def start(self) -> None:
         """Time begins."""
+        self.started = True
         self.ask(Begin())
 
     def update(self) -> list[TickNews]:
