@@ -83,10 +83,12 @@ def add_pilot(parser: Parser) -> None:
     parser.add_argument("--pilot", metavar="WHO", help=says)
 
 
-def add_picture(parser: Parser) -> None:
-    """``--view`` and ``--size``."""
+def add_picture(parser: Parser, usual: str = "") -> None:
+    """``--view`` and ``--size``; `usual`: the sizes of films, which depend on their kind."""
     parser.add_argument("--view", choices=VIEWS, default=VIEWS[0], help="where from")
-    parser.add_argument("--size", default="1280x720", metavar="WxH", help="default 1280x720")
+    default = None if usual else "1280x720"
+    says = f"default {usual or default}"
+    parser.add_argument("--size", default=default, metavar="WxH", help=says)
 
 
 def size(text: str) -> tuple[int, int]:

@@ -10,7 +10,9 @@ import av
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PIL import Image
 
+from kitemj.cockpit import gif_colours
 from kitemj.cockpit.film import Film
 from kitemj.errors import InputError
 from kitemj.signals import orderly
@@ -44,6 +46,28 @@ def test_every_frame_comes_back_in_its_order_and_colour(tmp_path: Path) -> None:
     for picture, level in zip(pictures, levels, strict=True):
         # 12 of 255: what the coarser colours of yuv420p and the compression may change
         assert np.abs(picture.mean(axis=(0, 1)) - (level, 128, 255 - level)).max() < 12
+
+
+@pytest.mark.parametrize(("kind", "rate"), [("webp", 25), ("gif", 20)])
+def test_a_film_for_pages_has_all_frames_in_their_colours_and_begins_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str, rate: int
+) -> None:
+    monkeypatch.setattr(gif_colours, "RUN", 4)
+    levels = range(20, 220, 20)
+    with Film(tmp_path / f"kite.{kind}", WIDTH, HEIGHT, rate) as film:
+        for level in levels:
+            film.add(frame(level))
+    shown: Any
+    with Image.open(tmp_path / f"kite.{kind}") as shown:
+        assert (shown.n_frames, shown.size) == (len(levels), (WIDTH, HEIGHT))
+        assert shown.info["loop"] == 0  # for ever
+        for number, level in enumerate(levels):
+            shown.seek(number)
+            shown.load()
+            assert shown.info["duration"] == 1000 // rate
+            # 12 of 255: what compression, and the colours of yuv420p or a palette, may change
+            picture = np.asarray(shown.convert("RGB"), float)
+            assert np.abs(picture.mean(axis=(0, 1)) - (level, 128, 255 - level)).max() < 12
 
 
 def test_the_index_lies_in_front(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from contextlib import nullcontext
 from dataclasses import replace
+from math import atan2, degrees
 from pathlib import Path
 
 import av
@@ -53,11 +54,16 @@ class Reel(nullcontext):
 
     def __init__(self):
         super().__init__()
-        self.motions = []
+        self.motions, self.cameras, self.written = [], [], []
 
     def take(self, stage, shots, workers):
-        self.motions.extend(shot.motion for (shot,) in shots)
+        for (shot,) in shots:
+            self.motions.append(shot.motion)
+            self.cameras.append(shot.camera)
         return (frame for frame in ())
+
+    def add(self, frame):
+        self.written.append(frame)
 
     def __call__(self, *words):
         return self
@@ -103,6 +109,44 @@ def test_a_gif_by_its_name(file, tmp_path):
     assert len(frames_of(tmp_path / "a.gif")) == 6
 
 
+@pytest.mark.parametrize("turn", [30.0, -90.0])
+def test_the_eye_of_an_orbit_goes_round_to_the_right_by_so_many_degrees(
+    file, monkeypatch, tmp_path, turn
+):
+    reel = Reel()
+    monkeypatch.setattr(filming, "painted", reel.take)
+    monkeypatch.setattr(filming, "Film", reel)
+    words = ["--view", "orbit", "--turn", str(turn), "--rate", "10", "--to", "1"]
+    assert main(["film", str(file), *words, "--output", str(tmp_path / "a.mp4")]) == 0
+    assert len(reel.cameras) == 11
+    # it looks along the wind, which blows along -x, and from the right, which is -y, to the left
+    azimuths = [degrees(atan2(c.forward.y, -c.forward.x)) for c in reel.cameras]
+    assert np.diff(np.unwrap(azimuths, period=360)) == pytest.approx(turn / 10, abs=ASIDE)
+    right = reel.cameras[1].position.y < reel.cameras[0].position.y
+    assert right == (turn > 0)
+
+
+ASIDE = 0.01
+"""deg; what is left of a direction when the eye looks at a kite that moved."""
+
+
+def test_a_title_comes_and_goes_in_the_first_three_seconds(file, monkeypatch, tmp_path):
+    reel, grey = Reel(), np.full((180, 320, 3), 120, np.uint8)
+    monkeypatch.setattr(filming, "painted", lambda stage, shots, w: (grey for shot in shots))
+    monkeypatch.setattr(filming, "Film", reel)
+    words = ["--title", "Figures of eight", "--rate", "10", "--output", str(tmp_path / "a.mp4")]
+    assert main(["film", str(file), *words, "--to", "4"]) == 0
+    written = [(frame != grey).any(axis=(1, 2)) for frame in reel.written]
+    assert len(written) == 41
+    assert not written[0].any(), "it fades in"
+    assert all(rows.any() for rows in written[1:30])
+    assert not any(rows.any() for rows in written[30:])
+    half, whole = (reel.written[i].max() for i in (2, 15))
+    assert 120 < half < whole == 255, "white letters"
+    # over the sky, where the kite is, nothing is changed that an eye sees
+    assert np.abs(reel.written[15][:60].astype(int) - 120).max() < 3
+
+
 def test_a_still_is_the_frame_of_that_moment(file, tmp_path):
     words = ["film", str(file), "--size", SIZE, "--still", "2.2"]
     assert main([*words, "--output", str(tmp_path / "a.png")]) == 0
@@ -110,7 +154,7 @@ def test_a_still_is_the_frame_of_that_moment(file, tmp_path):
     assert image.get_size() == SMALL
     source = RecordingSource(read_recording(file))
     with Picture(source.parameters, *SMALL) as picture:
-        frame = picture.paint(*source.shot(2.2, 1.0), "chase")
+        frame = picture.paint(*source.shot(2.2, 1.0)[:3], "chase")
     np.testing.assert_array_equal(pygame.surfarray.array3d(image).swapaxes(0, 1), frame)
 
 
@@ -169,13 +213,15 @@ def test_ctrl_c_leaves_a_complete_film(file, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["--output", "a.avi"], "ends with .mp4 or .gif"),
-        (["--output", "a.png"], "ends with .mp4 or .gif"),
+        (["--output", "a.avi"], "ends with .mp4, .webp or .gif"),
+        (["--output", "a.png"], "ends with .mp4, .webp or .gif"),
         (["--output", "a.mp4", "--still", "1"], "ends with .png"),
         (["--output", "a.png", "--still", "99"], "--still must be"),
         (["--output", "a.mp4", "--from", "99"], "--from must be"),
         (["--output", "a.mp4", "--speed", "0"], "--speed must be"),
         (["--output", "a.gif", "--rate", "60"], "1 to 50"),
+        (["--output", "a.mp4", "--turn", "9"], "--turn is for the --view orbit"),
+        (["--output", "a.mp4", "--view", "orbit", "--turn", "-999"], "--turn must be within 360"),
         (["--output", "a.mp4", "--size", "321x181"], "must be even"),
         (["--output", "a.mp4", "--model", "laksa"], "there is no model"),
     ],
