@@ -1,6 +1,7 @@
 """`kitemj realtime`: how well this machine flies in real time."""
 
 import argparse
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import Parser, add_picture, add_step, size
@@ -25,6 +26,9 @@ def add(parser: Parser) -> None:
     parser.add_argument("--kite", default="sport", metavar="SET", help="sport, thesis or laksa")
     parser.add_argument("--duration", type=float, default=60.0, metavar="S", help="of the flight")
     parser.add_argument("--headless", action="store_true", help="paint, but open no window")
+    parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="also write the tables")
+    says = "replace FILE.md if it exists"
+    parser.add_argument("--overwrite", action="store_true", help=says)
     add_picture(parser)
     add_step(parser)
 
@@ -39,14 +43,17 @@ def run(args: argparse.Namespace) -> None:
     from kitemj.cockpit.screens import display_found
     from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
+    from kitemj.files import check_new, new_file
     from kitemj.flight.scenario import scenario_of
     from kitemj.realtime.process import FlightProcess
     from kitemj.recording.live import FlightSetup
-    from kitemj.tables import print_table
+    from kitemj.tables import markdown, print_table
     from kitemj.temporary import temporary_folder
 
     if not args.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {args.duration} s")
+    if args.markdown:
+        check_new(args.markdown, args.overwrite)
     pixels = size(args.size)
     scenario = scenario_of({"set": args.kite, "duration": 60.0}, f"the kite {args.kite}")
     window = not args.headless and display_found()
@@ -61,8 +68,14 @@ def run(args: argparse.Namespace) -> None:
             screen = _screen(args, parameters, window and display_found())
             steps = stick_steps(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
-    print_table(_flight_table(flown, timed, f"{args.size}, {where}, everything shown, recorded"))
-    print_table(_stick_table(steps))
+    how = f"{args.size}, {where}, everything shown, recorded"
+    tables = [_flight_table(flown, timed, how), _stick_table(steps)]
+    for table in tables:
+        print_table(table)
+    if args.markdown:
+        text = "\n".join(f"{table.title}\n\n{markdown(table)}" for table in tables)
+        with new_file(args.markdown, args.overwrite) as part:
+            part.write_text(text, encoding="utf-8")
 
 
 def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
@@ -80,6 +93,8 @@ def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) ->
 
 
 def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
+    from statistics import median
+
     from kitemj.tables import Cell, Table
 
     times = flown.times
@@ -90,6 +105,8 @@ def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
         ("worst lateness [ms]", 1e3 * times.worst),
         ("wall time not flown [s]", times.lost),
         ("frames a second, median", timed.median_rate),
+        ("frames a second, in the slowest second", timed.slowest_rate),
+        ("a frame took, median [ms]", 1e3 * median(timed.took)),
         ("first frame [s]", flown.first_frame),
         ("memory gained after 10 s, both processes [MB]", timed.growth),
         ("largest gap to the reference [µm]", 1e6 * times.largest_gap),
