@@ -40,5 +40,5 @@ def film_of_flight(
     try:
         return film([source], path, style, overwrite=overwrite)
     except KeyboardInterrupt:
-        again = f"; kitemj film {recording} --output {path} paints it" if kept else ""
+        again = f"; {recording} can still be filmed" if kept else ""
         return f"none: interrupted before its first frame{again}"

@@ -76,7 +76,7 @@ class TimedScreen(Screen):
 
     @property
     def slowest_rate(self) -> float:
-        """Frames in the second that had fewest, after the first; not a number in flights below 3 s."""
+        """Frames in the second that had fewest, the first and the last left out; else not a number."""
         seconds = np.floor(np.array(self.times) - self.times[0]).astype(int)
         counts = np.bincount(seconds)[:-1]  # the last is not whole
         return float(counts[1:].min()) if len(counts) > 1 else float("nan")
