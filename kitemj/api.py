@@ -151,26 +151,26 @@ def film(
     path: str | Path,
     *,
     model: str | None = None,
-    view: str = "chase",
+    view: str = "pilot",
     size: tuple[int, int] | None = None,
     rate: int | None = None,
     speed: float = 1.0,
     turn: float = 0.0,
     title: str = "",
-    instruments: bool = True,
+    instruments: str = "pilot",
     overwrite: bool = False,
 ) -> Path:
     """Films a flight, a recording or a scenario, and returns the film's path.
 
     `path`: the film, .mp4, .webp or .gif
     `model`: flies a scenario (mujoco), or the input of a recording again, beside it
-    `view`: chase, pilot, side, top or orbit
+    `view`: pilot, chase, side, top or orbit
     `size`: width and height [px]; None: 1280 x 720, or 640 x 360 of a WebP or GIF
     `rate`: frames/s of the film; None: 30, or 20 of a WebP, 15 of a GIF
     `speed`: of the flight on the film, 2: twice as fast as it was
     `turn`: with the view orbit, degrees/s that it goes round the kite, positive to the right
     `title`: over the first 3 s
-    `instruments`: whether they are shown
+    `instruments`: how much is shown over the view: pilot, engineer or none
     `overwrite`: whether a file that is there may be replaced
 
     Raises InputError, and NoGraphics where nothing can draw.

@@ -15,6 +15,7 @@ from kitemj.cockpit.film_sources import FilmSource
 from kitemj.cockpit.film_title import titled, with_title
 from kitemj.cockpit.parallel_painting import Painter, Shot, Stage, painted, workers_for
 from kitemj.cockpit.screens import FRAME_RATE
+from kitemj.controls.actions import DEPTHS
 from kitemj.errors import InputError, NoGraphics
 from kitemj.files import check_new, new_file
 from kitemj.progress_bar import with_progress
@@ -25,15 +26,15 @@ MOST_FRAMES = 1_000_000
 
 
 class FilmStyle(NamedTuple):
-    """How a film looks; `rate` in frames/s, `speed` of the flight on the film.
+    """How a film looks: `instruments` in depth; `rate` in frames/s, `speed` of the flight on it.
 
     `turn` [deg/s, of the film]: how fast the eye of the view "orbit" goes round the kite, to the
     right; `title` is over the first seconds.
     """
 
     size: tuple[int, int] = (1280, 720)
-    view: str = "chase"
-    instruments: bool = True
+    view: str = "pilot"
+    instruments: str = DEPTHS[0]
     rate: int = FRAME_RATE
     speed: float = 1.0
     turn: float = 0.0

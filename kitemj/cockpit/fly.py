@@ -5,16 +5,23 @@ from dataclasses import dataclass
 
 import pygame
 
-from kitemj.cockpit.screens import FRAME_RATE, Screen
+from kitemj.cockpit.replay_window import ReplayWindow
+from kitemj.cockpit.screens import FRAME_RATE, Screen, Window
 from kitemj.controls.actions import HELP, Wishes
 from kitemj.controls.programmed import ProgrammedStick
 from kitemj.drawing.history import History
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
+from kitemj.errors import InputError
 from kitemj.flight.live import TICK
 from kitemj.pilots.course import Course
 from kitemj.realtime.messages import Deed, Rate, StartAt, Timekeeping
 from kitemj.realtime.process import FlightProcess
+from kitemj.recording.file import read_recording
+from kitemj.recording.recorder import FLUSH
+
+WATCHED = 20.0
+"""s before now at which watching a flight again begins."""
 
 
 @dataclass(frozen=True)
@@ -87,10 +94,15 @@ def fly(
             if isinstance(screen.stick, ProgrammedStick):
                 screen.wishes.ask(screen.stick.actions(painting - begun))
             physics.ask(screen.stick.command(physics.result.motion))
-            _grant(screen.wishes, physics, picture, course)
+            if "watch" in _grant(screen.wishes, physics, picture, course) and picture:
+                _watch(physics, picture, screen)
             if course:
                 course.watch(physics.result.motion)
+            moving = screen.wishes.pace > 0
+            screen.sense(physics.parameters, physics.result.motion, physics.touch, moving)
             if picture:
+                if screen.size and screen.size != (picture.width, picture.height):
+                    picture.resize(*screen.size)
                 result, readings = physics.result, _readings(physics, history, screen, course)
                 frame = picture.paint(result.motion, result.reference, readings, screen.wishes.view)
                 screen.show(frame, painting - begun)
@@ -112,26 +124,47 @@ def fly(
 
 def _grant(
     wishes: Wishes, physics: FlightProcess, picture: Picture | None, course: Course | None
-) -> None:
-    """Does what the person asks for of time, picture and lessons."""
+) -> list[str]:
+    """Does what the person asks for of time, picture and lessons; returns what else is wished."""
     deeds, turn, zoom = wishes.taken()
+    others: list[str] = []
     physics.ask(Rate(wishes.pace))
     physics.ask(StartAt(1 if course and course.start else 0))
     for deed in deeds:
-        if deed not in ("next lesson", "begin lesson"):
+        if deed == "watch":
+            others.append(deed)
+        elif deed not in ("next lesson", "begin lesson"):
             physics.ask(Deed(deed))
         elif course and deed == "next lesson":
             course.skip()
         elif course:
             course.begin_again()
             physics.ask(Deed.RESTART)
-    if picture is None:
+    if picture:
+        if turn != (0.0, 0.0):
+            picture.eye.turn(*turn)
+        if zoom != 1.0:
+            picture.eye.zoom(zoom)
+        picture.depth, picture.shown = wishes.depth, wishes.shown
+    return others
+
+
+def _watch(physics: FlightProcess, picture: Picture, screen: Screen) -> None:
+    """Shows what was flown so far to the person, if there is one; the flight waits meanwhile."""
+    if not isinstance(screen, Window):
         return
-    if turn != (0.0, 0.0):
-        picture.eye.turn(*turn)
-    if zoom != 1.0:
-        picture.eye.zoom(zoom)
-    picture.shown = wishes.shown
+    if physics.record is None:
+        screen.say("this flight is not recorded: there is nothing to watch again")
+        return
+    physics.ask(Rate(0.0))
+    time.sleep(FLUSH + 0.1)  # until what was flown is on the disk
+    try:
+        replay = ReplayWindow(read_recording(physics.record), None, picture, screen)
+    except InputError as error:
+        screen.say(str(error))
+        return
+    replay.player.seek(replay.player.duration - WATCHED)
+    replay.run(meanwhile=physics.update)
 
 
 def _readings(

@@ -76,7 +76,7 @@ class TimedScreen(Screen):
 
     @property
     def slowest_rate(self) -> float:
-        """Frames in the second that had fewest, the first and the last left out; else not a number."""
+        """Frames in the second that had fewest, of all but the first and the last; NaN without."""
         seconds = np.floor(np.array(self.times) - self.times[0]).astype(int)
         counts = np.bincount(seconds)[:-1]  # the last is not whole
         return float(counts[1:].min()) if len(counts) > 1 else float("nan")
@@ -175,5 +175,6 @@ def stick_steps(
     physics = StickTimingProcess(setup, stick)
     physics.wait()
     instruments = Instruments(physics.parameters, picture.width, picture.height)
+    screen.wishes.depth = "engineer"  # which has a knob
     fly(physics, picture, PointerScreen(screen, stick, physics, instruments), duration)
     return stick.steps[:-1]

@@ -48,13 +48,16 @@ class Shot(NamedTuple):
 
 
 class Stage(NamedTuple):
-    """What all frames of a film share: parameters and caption of each flight, size [px], view."""
+    """What all frames of a film share: parameters and caption of each flight, size [px], view.
+
+    `instruments`: their depth, a name of `actions.DEPTHS`.
+    """
 
     parameters: tuple[Parameters, ...]
     captions: tuple[str, ...]
     size: tuple[int, int]
     view: str
-    instruments: bool
+    instruments: str
 
 
 class Painter(Closing):
@@ -64,9 +67,8 @@ class Painter(Closing):
         self._stage = stage
         across = stage.size[0] // len(stage.parameters)
         self._pictures = [Picture(each, across, stage.size[1]) for each in stage.parameters]
-        if not stage.instruments:
-            for picture in self._pictures:
-                picture.shown = set()
+        for picture in self._pictures:
+            picture.depth = stage.instruments
 
     def paint(self, shots: Sequence[Shot]) -> Frame:
         """The frame (height, width, 3) of a shot of each flight, side by side."""

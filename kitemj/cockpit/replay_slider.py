@@ -29,7 +29,7 @@ class Slider:
         column = np.arange(rows) * room // rows
         self._outside = np.unique(column[beyond]).tolist()
         self._starts = [row * room // rows for row in starts if row > 0]
-        self._pressed = False
+        self.pressed = False  # whether the handle is held
 
     def handle(self, event: pygame.event.Event, at: tuple[float, float], player: Player) -> None:
         """Takes in an event of the mouse at `at`, px from the strip's upper left corner."""
@@ -38,10 +38,10 @@ class Slider:
             if x < self._left:
                 player.toggle()
                 return
-            self._pressed = x <= self._right
+            self.pressed = x <= self._right
         elif event.type == pygame.MOUSEBUTTONUP and event.button == 1:
-            self._pressed = False
-        if self._pressed:
+            self.pressed = False
+        if self.pressed:
             player.seek((x - self._left) / (self._right - self._left) * player.duration)
 
     def paint(self, strip: pygame.Surface, player: Player) -> None:

@@ -1,16 +1,22 @@
 """Where frames go, and what the person there wants: a window, or nobody."""
 
 import os
-from collections.abc import Iterable
+import time
+from collections.abc import Callable, Iterable, Iterator
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from kitemj.cockpit.senses import Senses
 from kitemj.controls.actions import Wishes
 from kitemj.controls.keys import KEYS
 from kitemj.controls.pads import events
 from kitemj.controls.stick import PersonStick, Stick
+from kitemj.drawing.picture import LEAST
+from kitemj.dynamics.motion import Motion
+from kitemj.physics.parameters import Parameters
+from kitemj.pilots.crash import Touch
 
 FRAME_RATE = 30
 Frame = NDArray[np.uint8]
@@ -19,8 +25,11 @@ Frame = NDArray[np.uint8]
 class Screen:
     """Takes frames, and says what the person at it wants; this one shows them to nobody.
 
-    `stick` is that of the person at it, `wishes` what they ask for.
+    `stick` is that of the person at it, `wishes` what they ask for; `size` [px] what frames
+    should have from now on, None: what they have.
     """
+
+    size: tuple[int, int] | None = None
 
     def __init__(self, stick: Stick) -> None:
         self.stick, self.wishes = stick, Wishes()
@@ -32,6 +41,14 @@ class Screen:
 
     def poll(self) -> None:
         """Takes in what the person did since."""
+
+    def sense(
+        self, parameters: Parameters, motion: Motion, touch: Touch | None, moving: bool
+    ) -> None:
+        """Lets the person hear and feel the motion, and `touch`, how the kite met the ground.
+
+        Nothing while it is not `moving`.
+        """
 
     def show(self, frame: Frame, wall: float) -> None:
         """Shows a frame painted `wall` [s] after the start."""
@@ -88,8 +105,54 @@ def put_in_window(picture: pygame.Surface) -> pygame.Rect:
     return place
 
 
+SHAPES = (4 / 3, 21 / 9)
+"""Width over height of a picture, the least and the most; a window of another shape has edges."""
+RESTED = 0.3
+"""s; for which a window keeps its size before the picture takes it."""
+
+
+def shaped(size: tuple[int, int]) -> tuple[int, int]:
+    """The largest picture [px] of an allowed shape in a window of `size`; even numbers."""
+    wide, tall = size
+    least, most = SHAPES
+    wide, tall = min(wide, round(most * tall)), min(tall, round(wide / least))
+    return max(wide - wide % 2, LEAST[0]), max(tall - tall % 2, LEAST[1])
+
+
+class RestingSize:
+    """The size that a window's picture should have: it follows the window when that rests."""
+
+    def __init__(self, size: tuple[int, int], clock: Callable[[], float] = time.monotonic) -> None:
+        """`size` [px] of the window at first."""
+        self._clock, self._last, self._since = clock, size, clock()
+
+    def rested(self, size: tuple[int, int]) -> tuple[int, int] | None:
+        """The picture's size [px] for a window of `size` now; None while it is being changed."""
+        if size != self._last:
+            self._last, self._since = size, self._clock()
+        return shaped(size) if self._clock() - self._since >= RESTED else None
+
+
+def full() -> bool:
+    """Whether the window fills the screen."""
+    return bool(pygame.display.get_surface().get_flags() & pygame.FULLSCREEN)
+
+
+def change_fullness(windowed: tuple[int, int]) -> None:
+    """Makes the window fill the screen, or gives it the size `windowed` [px] again."""
+    if full():
+        pygame.display.set_mode(windowed)  # window managers keep the large size of one
+        pygame.display.set_mode(windowed, pygame.RESIZABLE)  # that may have any
+    else:
+        pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
+
+
+BRIEFLY = 2.0
+"""s; for what the person has just asked for."""
+
+
 class Window(Screen):
-    """A window of its own; `actions.HELP` says its keys. A frame keeps its shape in any window.
+    """A window of its own; `actions.HELP` says its keys. Its frames follow its size.
 
     The `person` steers, unless a programmed `stick` does; keys and buttons work either way.
     """
@@ -98,20 +161,27 @@ class Window(Screen):
         self, width: int, height: int, title: str, person: PersonStick, stick: Stick | None = None
     ) -> None:
         super().__init__(stick or person)
-        self._person, self._size = person, (width, height)
-        pygame.display.set_mode(self._size, pygame.RESIZABLE)
+        self._person, self._windowed = person, (width, height)
+        if not pygame.display.get_surface():  # else there is a window from before
+            pygame.display.set_mode((width, height), pygame.RESIZABLE)
+        self._resting = RestingSize(pygame.display.get_window_size())
         pygame.display.set_caption(title)
-        self._windowed: tuple[int, int] | None = None  # its size before it was full
+        self._senses = Senses(person.rumble)
 
     @property
     def message(self) -> str:
         """A sentence on the stick for the person; empty: none."""
         return self._person.message
 
+    def events(self) -> Iterator[tuple[pygame.event.Event, tuple[str, ...]]]:
+        """All events since, each with the actions that a pad asks for by it."""
+        for event in events():
+            yield event, self._person.handle(event)
+
     def poll(self) -> None:
         """Reads all events."""
-        for event in events():
-            self._ask(self._person.handle(event))
+        for event, asked in self.events():
+            self._ask(asked)
             if event.type == pygame.QUIT:
                 self._ask(["leave"])
             elif event.type == pygame.KEYDOWN:
@@ -122,31 +192,43 @@ class Window(Screen):
                 self.wishes.turn = (turn[0] - TURN * across, turn[1] + TURN * down)
             elif event.type == pygame.MOUSEWHEEL:
                 self.wishes.zoom *= 1.1**event.y
+        self.size = self._resting.rested(pygame.display.get_window_size())
 
     def _ask(self, names: Iterable[str]) -> None:
         """Takes in actions; those of the window or the stick are done here."""
         for name in names:
             if name == "full screen":
-                self._change_fullness()
+                if not full():
+                    self._windowed = pygame.display.get_window_size()
+                change_fullness(self._windowed)
             elif name in ("law", "two sticks"):
                 self._person.change(name)
             else:
                 self.wishes.ask([name])
+                if name == "sound":
+                    said = "are on" if self.wishes.sound else "are off"
+                    self._person.notices.say(f"sound and rumble {said}", BRIEFLY)
 
-    def _change_fullness(self) -> None:
-        if self._windowed is None:
-            self._windowed = pygame.display.get_window_size()
-            pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
-            return
-        pygame.display.set_mode(self._windowed)  # window managers keep the large size of one
-        pygame.display.set_mode(self._windowed, pygame.RESIZABLE)  # that may have any
-        self._windowed = None
+    @property
+    def push(self) -> tuple[float, float]:
+        """How far the pad's sticks are pushed to the right and down, -1..1."""
+        return self._person.push
+
+    def say(self, sentence: str) -> None:
+        """Shows a sentence for some seconds."""
+        self._person.notices.say(sentence)
+
+    def sense(
+        self, parameters: Parameters, motion: Motion, touch: Touch | None, moving: bool
+    ) -> None:
+        """Lets the person hear and feel the motion, unless they wish not to."""
+        self._senses.feel(parameters, motion, touch, self.wishes.sound and moving)
 
     def show(self, frame: Frame, wall: float) -> None:
         """Puts the frame on the screen."""
-        put_in_window(pygame.image.frombuffer(frame.data, self._size, "RGB"))
+        put_in_window(pygame.image.frombuffer(frame.data, frame.shape[1::-1], "RGB"))
 
     def close(self) -> None:
-        """Closes the window and lets go of the pads; fonts stay, pictures may go on."""
+        """Lets go of the pads, and is silent; the window stays, for whoever comes next."""
+        self._senses.close()
         self._person.close()
-        pygame.display.quit()

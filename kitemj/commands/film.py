@@ -4,6 +4,7 @@ import argparse
 from pathlib import Path
 
 from kitemj.commands.arguments import MODELS, SCENARIO, Parser, add_picture, size
+from kitemj.controls.actions import DEPTHS
 from kitemj.errors import InputError
 
 HELP = "film a scenario or a recording with no screen; two of them, or two models, side by side"
@@ -32,7 +33,8 @@ def add(parser: Parser) -> None:
     parser.add_argument("--title", default="", metavar="TEXT", help=says)
     says = "with --view orbit: degrees/s that it goes round the kite, positive to the right"
     parser.add_argument("--turn", type=float, default=0.0, metavar="DEG", help=says)
-    parser.add_argument("--instruments", action=argparse.BooleanOptionalAction, default=True)
+    says = "how much is shown over the view, default pilot"
+    parser.add_argument("--instruments", choices=DEPTHS, default=DEPTHS[0], help=says)
     add_picture(parser, usual="1280x720; WebP and GIF: 640x360")
     parser.add_argument("--step", type=float, metavar="S", help="longest step [s], default 0.002")
 

@@ -18,7 +18,9 @@ from kitemj.commands.arguments import (
 from kitemj.errors import NOT_WRITTEN, FlightError, InputError
 
 if TYPE_CHECKING:
+    from kitemj.child import Child
     from kitemj.cockpit.fly import Summary
+    from kitemj.cockpit.home import Kept
     from kitemj.cockpit.screens import Window
     from kitemj.controls.stick import Stick
     from kitemj.flight.scenario import Scenario
@@ -51,6 +53,7 @@ def add(parser: Parser) -> None:
     parser.add_argument("--at", type=float, metavar="S", help="from this time of it; its end")
     parser.add_argument("--lessons", action="store_true", help="all lessons, passed or not")
     parser.add_argument("--no-lessons", action="store_true", help="none")
+    parser.add_argument("--no-title", action="store_true", help="fly at once, from no title page")
     parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
     says = "open no window: fly a show and film it"
     parser.add_argument("--headless", action="store_true", help=says)
@@ -64,11 +67,72 @@ def add(parser: Parser) -> None:
     add_step(parser)
 
 
+ASKED = (
+    *("scenario", "kite", "arm", "stick", "pilot", "past", "at", "lessons", "no_lessons"),
+    *("duration", "headless", "film", "record", "no_title", "model", "step"),
+)
+"""Who gives one of these wants a certain flight, and sees no title."""
+
+
 def run(args: argparse.Namespace) -> int:
-    """Flies, and tells of it; returns the exit status, NOT_WRITTEN for a recording cut short."""
+    """Flies, from the title page on unless a certain flight is asked for; the exit status."""
     from kitemj.realtime.launch import launch
 
     launched = launch()
+    asked = any(getattr(args, name) != args.parser.get_default(name) for name in ASKED)
+    import pygame
+
+    from kitemj.cockpit.screens import display_found
+
+    try:
+        if asked or not display_found():
+            return _fly(args, launched)
+        return _from_title(args, launched)
+    finally:
+        pygame.display.quit()
+
+
+def _from_title(args: argparse.Namespace, launched: "Child") -> int:
+    """Flies, looks and learns as a person chooses, until they leave; the last exit status."""
+    from kitemj.cockpit.home import Doors, Home, Kept
+    from kitemj.cockpit.screens import Window, fitting
+    from kitemj.controls.settings import settings_or_defaults
+    from kitemj.pilots.course import LESSONS
+    from kitemj.pilots.progress import read_progress
+
+    pixels = fitting(size(args.size))
+
+    def asking(kite: str, lessons: bool) -> argparse.Namespace:
+        """The arguments of somebody who asks for this flight."""
+        again = lessons and passed()[0] == len(LESSONS)
+        return argparse.Namespace(
+            **(vars(args) | {"kite": kite, "lessons": again, "no_lessons": not lessons})
+        )
+
+    def scenario(kite: str) -> "Scenario":
+        return _scenario(asking(kite, lessons=False))
+
+    def window(flown: "Scenario") -> Window:
+        return _window(flown, pixels, None)
+
+    def fly(kite: str, lessons: bool, child: "Child", kept: Kept) -> int:
+        return _fly(asking(kite, lessons), child, kept)
+
+    def passed() -> tuple[int, int]:
+        keys = [lesson.key for lesson in LESSONS]
+        return len(read_progress().passed.intersection(keys)), len(keys)
+
+    sound = settings_or_defaults()[0].sound
+    return Home(Doors(scenario, window, fly, passed), args.kite, pixels, sound).run(launched)
+
+
+def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None) -> int:
+    """Flies, and tells of it; returns the exit status, NOT_WRITTEN for a recording cut short.
+
+    `launched`: the flight's process; `kept`: what is there before and after this flight.
+    """
+    import pygame
+
     from kitemj.cockpit.filming import FilmStyle, check_output
     from kitemj.cockpit.flight_film import film_of_flight, recorded
     from kitemj.cockpit.screens import display_found
@@ -80,7 +144,7 @@ def run(args: argparse.Namespace) -> int:
     if args.duration is not None and not args.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {args.duration} s")
     programme, window = _programme(args, setup.scenario), not args.headless and display_found()
-    film, kept = args.film, setup.record is not None
+    film, stays = args.film, setup.record is not None
     if not window:
         film = film or (setup.record or timestamped_name()).with_suffix(".mp4")
     if film:
@@ -92,50 +156,59 @@ def run(args: argparse.Namespace) -> int:
         physics = FlightProcess(setup, launched)
         try:
             if window:
-                summary = _fly(args, setup.scenario, physics, programme, course)
+                summary = _fly_in_window(args, setup.scenario, physics, programme, course, kept)
             else:
-                summary = _show(args, setup.scenario, physics, programme, film)
-            print(summary if kept else replace(summary, recording="none"))
+                summary = _fly_unseen(args, setup.scenario, physics, programme, film)
+            print(summary if stays else replace(summary, recording="none"))
         except (FlightError, OSError):  # why it ended is told last
-            print(f"recording    {physics.recording if kept else 'none'}")
+            print(f"recording    {physics.recording if stays else 'none'}")
             raise
         finally:
             if course:
                 print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
             if film and setup.record and physics.started:
-                told = film_of_flight(setup.record, film, style, args.overwrite, kept)
+                pygame.display.quit()  # nobody would answer in that window
+                told = film_of_flight(setup.record, film, style, args.overwrite, stays)
                 print(f"film         {told}")
     return NOT_WRITTEN if physics.cut else 0
 
 
-def _fly(
+def _fly_in_window(
     args: argparse.Namespace,
     scenario: "Scenario",
     physics: "FlightProcess",
     programme: "Stick | None",
     course: "Course | None",
+    kept: "Kept | None",
 ) -> "Summary":
-    """The flight of a person in a window, or of a programme for a person to see."""
+    """The flight of a person, or of a programme for a person to see."""
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.screens import fitting
     from kitemj.drawing.picture import Picture
 
     pixels = fitting(size(args.size))
-    with Picture(scenario.parameters, *pixels) as picture:
+    own = nullcontext(kept.picture) if kept else Picture(scenario.parameters, *pixels)
+    with own as picture:
         physics.wait()
         screen = _window(scenario, pixels, programme)
         screen.wishes.view = args.view
-        return fly(physics, picture, screen, args.duration, args.called, course)
+        if kept:
+            screen.wishes.sound = kept.sound
+        try:
+            return fly(physics, picture, screen, args.duration, args.called, course)
+        finally:
+            if kept:
+                kept.sound = screen.wishes.sound
 
 
-def _show(
+def _fly_unseen(
     args: argparse.Namespace,
     scenario: "Scenario",
     physics: "FlightProcess",
     programme: "Stick | None",
     film: Path,
 ) -> "Summary":
-    """The flight of a programme that nobody sees: nothing is painted, so that nothing is late."""
+    """The flight of a programme, during which nothing is painted, so that nothing is late."""
     from kitemj.cockpit.fly import fly
     from kitemj.cockpit.screens import FRAME_RATE, Screen
     from kitemj.controls.stick import show_of
@@ -214,7 +287,9 @@ def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None"
     person = PersonStick(settings, scenario.parameters)
     if complaint:
         person.notices.say(complaint, LONG)
-    return Window(*pixels, f"kitemj: {scenario.source}", person, stick)
+    window = Window(*pixels, f"kitemj: {scenario.source}", person, stick)
+    window.wishes.sound = settings.sound
+    return window
 
 
 def _scenario(args: argparse.Namespace) -> "Scenario":

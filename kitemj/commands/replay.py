@@ -5,6 +5,7 @@ from pathlib import Path
 
 from kitemj.commands.arguments import MODELS, Parser, add_picture, size
 from kitemj.controls.actions import REPLAY_HELP
+from kitemj.errors import NothingFound
 
 HELP = "show a recording in a window, fly its input again, or export it"
 EXAMPLE = "kitemj replay kitemj-20260131-120000.arrows --model lagrange"
@@ -13,7 +14,8 @@ NOTES = "\n".join(f"{shown:21} {says}" for shown, says in (x.split("\t") for x i
 
 def add(parser: Parser) -> None:
     """Adds its arguments."""
-    parser.add_argument("recording", type=Path, help="a recording (*.arrows)")
+    says = "a recording (*.arrows); without, the last flight in this folder"
+    parser.add_argument("recording", type=Path, nargs="?", help=says)
     parser.add_argument("--model", help=f"fly its input through one of {', '.join(MODELS)}")
     says = "longest step [s] of --model; as recorded"
     parser.add_argument("--step", type=float, metavar="S", help=says)
@@ -32,9 +34,9 @@ def run(args: argparse.Namespace) -> None:
     from kitemj.recording.summary import comparison
 
     pixels = size(args.size)
-    recording = read_recording(args.recording)
+    recording = read_recording(args.recording or _last())
     if args.export:
-        path = args.output or args.recording.with_suffix(".csv")
+        path = args.output or recording.path.with_suffix(".csv")
         write_table(path, recording, args.overwrite)
         print(f"{path}: {len(recording)} rows")
         return
@@ -46,8 +48,18 @@ def run(args: argparse.Namespace) -> None:
     from kitemj.cockpit.screens import display_found
 
     if not display_found():
-        print(f"there is no display; film it: kitemj film {args.recording} --output FILE.mp4")
+        print(f"there is no display; film it: kitemj film {recording.path} --output FILE.mp4")
         return
     from kitemj.cockpit.replay_window import show
 
     show(recording, again, pixels, args.view)
+
+
+def _last() -> Path:
+    """The last flight in the present folder; NothingFound where there is none."""
+    from kitemj.recording.recorder import latest
+
+    path = latest()
+    if path is None:
+        raise NothingFound("there is no kitemj-*.arrows in this folder: fly, or name a recording")
+    return path

@@ -6,14 +6,17 @@
 from collections.abc import Iterable
 from typing import NamedTuple
 
-VIEWS = ("chase", "pilot", "side", "top", "orbit")
+VIEWS = ("pilot", "chase", "side", "top", "orbit")
 """Where a picture can be seen from."""
 
 PANELS = ("flight", "air", "window", "chart", "lines", "knob", "model")
 """Instruments that are boxes at the edges of a picture."""
 
 INSTRUMENTS = (*PANELS, "inset", "trail", "forces", "labels")
-"""What a picture can show over its view."""
+"""What the engineer's depth can show over the view."""
+
+DEPTHS = ("pilot", "engineer", "none")
+"""How much is shown over the view: what one flies by; all numbers; nothing."""
 
 
 class Action(NamedTuple):
@@ -36,8 +39,10 @@ ACTIONS = (
     Action("law", "T   (B)", "the stick asks for δ, its rate, its acceleration"),
     Action("two sticks", "Y   (left stick pressed)", "a stick for each line"),
     Action("view", "V   (Y)", "next view"),
-    Action("instruments", "I   (X)", "all instruments or none; 1 to 9, 0, L: one"),
+    Action("instruments", "I   (X)", "instruments: pilot's, engineer's, none; 1 to 9, 0, L: one"),
     Action("full screen", "F11   F", "full screen"),
+    Action("sound", "M", "sound and rumble, or neither"),
+    Action("watch", "G   (cross right)", "watch again what was flown; the flight waits"),
     Action("next lesson", "N   B", "next lesson; begin the lesson again"),
     Action("begin lesson", "", ""),
     Action("help", "F1   ?", "this page, while the flight waits"),
@@ -64,12 +69,30 @@ REPLAY_ACTIONS = (
     Action("start", "Home   End", "the start, the end"),
     Action("end", "", ""),
     Action("view", "V", "next view"),
+    Action("instruments", "I", "instruments"),
+    Action("sound", "M", "sound"),
+    Action("full screen", "F11   F", "full screen"),
     Action("leave", "Esc", "leave"),
 )
 """What can be asked for while a recording is shown, the most needed hint first."""
 
+REPLAY_BUTTONS = {
+    **dict.fromkeys(("restart", "pause"), "play"),
+    **{"rewind": "back", "watch": "on", "law": "leave"},
+    **{name: name for name in ("help", "faster", "slower", "view", "instruments", "sound")},
+}
+"""What a pad's button asks for while a recording is shown, by what it asks for in flight."""
+
+MENU_BUTTONS = {
+    **dict.fromkeys(("restart", "pause"), "choose"),
+    **{"law": "leave", "load": "up", "save": "down", "rewind": "left", "watch": "right"},
+}
+"""What a pad's button asks for on the title page, by what it asks for in flight."""
+
 REPLAY_HELP = (
     *(f"{action.shown}\t{action.help}" for action in REPLAY_ACTIONS if action.shown),
+    "Mouse, on the picture, wheel\tturn and near the orbit view",
+    "Pad\tA: play, pause; cross left, right: 1 s back, on; shoulders: slower, faster; B: leave",
     "Mouse, on the slider\tgo to that moment; white: a flight begins, red: beyond a limit",
 )
 
@@ -79,15 +102,16 @@ RATES = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0)
 class Wishes:
     """What the person at a screen asks for: view, panels, time, and deeds not yet done.
 
-    `rate` is simulated over wall time, 0 a pause; `shown` the instruments; `turn` [rad] and
-    `zoom` move the eye of the orbit view. `deeds` are actions to be done once, by whoever
-    can; `taken` hands them over.
+    `rate` is simulated over wall time, 0 a pause; `depth` that of the instruments, `shown` those
+    of the engineer's; `turn` [rad] and `zoom` move the eye of the orbit view; `sound`: the kite is
+    heard and felt. `deeds` are actions to be done once, by whoever can; `taken` hands them over.
     """
 
     def __init__(self, view: str = VIEWS[0]) -> None:
         self.view, self.rate, self.help, self.leaving = view, 1.0, False, False
-        self.shown = set(INSTRUMENTS)
+        self.depth, self.shown = DEPTHS[0], set(INSTRUMENTS)
         self.turn, self.zoom = (0.0, 0.0), 1.0
+        self.sound = True
         self.deeds: list[str] = []
         self._speed = 1.0  # when not paused
 
@@ -111,9 +135,13 @@ class Wishes:
         elif name == "view":
             self.view = VIEWS[(VIEWS.index(self.view) + 1) % len(VIEWS)]
         elif name == "instruments":
-            self.shown = set() if self.shown else set(INSTRUMENTS)
+            self.depth = DEPTHS[(DEPTHS.index(self.depth) + 1) % len(DEPTHS)]
+        elif name.startswith("toggle ") and self.depth != "engineer":
+            self.depth = "engineer"  # where single instruments are
         elif name.startswith("toggle "):
             self.shown ^= {name.removeprefix("toggle ")}
+        elif name == "sound":
+            self.sound = not self.sound
         elif name == "pause":
             self.rate = 0.0 if self.rate else self._speed
         elif name in ("slower", "faster"):

@@ -24,6 +24,8 @@ KEYS = {
     pygame.K_v: "view",
     pygame.K_i: "instruments",
     **dict.fromkeys((pygame.K_F11, pygame.K_f), "full screen"),
+    pygame.K_m: "sound",
+    pygame.K_g: "watch",
     pygame.K_n: "next lesson",
     pygame.K_b: "begin lesson",
     **dict.fromkeys(HELP_KEYS, "help"),
@@ -41,6 +43,21 @@ REPLAY_KEYS = {
     pygame.K_HOME: "start",
     pygame.K_END: "end",
     pygame.K_v: "view",
+    pygame.K_i: "instruments",
+    pygame.K_m: "sound",
+    **dict.fromkeys((pygame.K_F11, pygame.K_f), "full screen"),
     pygame.K_ESCAPE: "leave",
 }
 """While a recording is shown."""
+
+MENU_KEYS = {
+    **dict.fromkeys((pygame.K_UP, pygame.K_w), "up"),
+    **dict.fromkeys((pygame.K_DOWN, pygame.K_s), "down"),
+    **dict.fromkeys((pygame.K_LEFT, pygame.K_a), "left"),
+    **dict.fromkeys((pygame.K_RIGHT, pygame.K_d), "right"),
+    **dict.fromkeys((pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE), "choose"),
+    pygame.K_m: "sound",
+    **dict.fromkeys((pygame.K_F11, pygame.K_f), "full screen"),
+    pygame.K_ESCAPE: "leave",
+}
+"""On the title page."""

@@ -29,6 +29,7 @@ STANDARD = {
     pygame.CONTROLLER_BUTTON_DPAD_LEFT: "rewind",
     pygame.CONTROLLER_BUTTON_DPAD_DOWN: "save",
     pygame.CONTROLLER_BUTTON_DPAD_UP: "load",
+    pygame.CONTROLLER_BUTTON_DPAD_RIGHT: "watch",
 }
 """Actions of the buttons where SDL knows the pad."""
 
@@ -36,6 +37,9 @@ PLUGGED = (pygame.JOYDEVICEADDED, pygame.JOYDEVICEREMOVED)
 
 TOUCHED = 0.1
 """Of full deflection, at least: no dead zone at all would let a worn stick claim the kite."""
+
+MOMENT = 250
+"""ms that a rumble lasts unless it is asked for again, so that none outlives its flight."""
 
 HELPLESS = ": run kitemj pad; keys and mouse fly"
 CENTRED = "the stick returns to its centre; keys and mouse fly"
@@ -74,6 +78,10 @@ class StandardPad:
         known = event.type == pygame.CONTROLLERBUTTONDOWN and event.button in STANDARD
         return (STANDARD[event.button],) if known else ()
 
+    def rumble(self, low: float, high: float) -> None:
+        """Shakes its left motor by `low` and its right one by `high`, 0..1, for a moment."""
+        self._pad.rumble(low, high, MOMENT)
+
     def _axis(self, axis: int) -> float:
         return max(-1.0, float(self._pad.get_axis(axis)) / FULL)
 
@@ -102,6 +110,10 @@ class LaidOutPad:
                 self._down.add(name)
                 asked.append(name)
         return tuple(asked)
+
+    def rumble(self, low: float, high: float) -> None:
+        """Shakes its left motor by `low` and its right one by `high`, 0..1, for a moment."""
+        self._joystick.rumble(low, high, MOMENT)
 
 
 Pad = StandardPad | LaidOutPad
@@ -143,6 +155,11 @@ class Pads:
         return Deflections(
             -steer if invert.steer else steer, -reel if invert.reel else reel, left, right
         )
+
+    def rumble(self, low: float, high: float) -> None:
+        """Shakes the steering pad, if there is one that can; low and high motor, 0..1."""
+        if self.steering:
+            self.steering.rumble(low, high)
 
     def handle(self, event: pygame.event.Event) -> tuple[str, ...]:
         """The actions that the event asks for."""

@@ -36,11 +36,12 @@ class Invert(NamedTuple):
 
 
 class Settings(NamedTuple):
-    """`pads` holds layouts by SDL's GUID of the pad."""
+    """`pads` holds layouts by SDL's GUID of the pad; `sound` means rumble too."""
 
     feel: Feel = Feel()
     law: StickLaw = StickLaw.ANGLE
     invert: Invert = Invert()
+    sound: bool = True
     pads: Mapping[str, Layout] = {}
 
 
@@ -51,6 +52,7 @@ NEW_FILE = """\
 # law = "angle"        # or "rate" or "acceleration": what the stick asks for at the start
 # two_sticks = false   # true: each stick holds one line
 # invert = { steer = false, reel = false }
+# sound = true         # false: begins without sound and rumble; a key in flight changes it
 """
 
 
@@ -78,15 +80,23 @@ def settings_or_defaults(path: Path | None = None) -> tuple[Settings, str]:
 
 def settings_of(tables: Mapping[str, Any], where: str) -> Settings:
     """The settings of a file's tables; `where` names the file in messages."""
-    check_keys(tables, [*Feel._fields, "law", "invert", "pads"], "", where)
+    check_keys(tables, [*Feel._fields, "law", "invert", "sound", "pads"], "", where)
     law = law_of(tables.get("law", "angle"), where)
     pads = table_of(tables.get("pads", {}), "pads", where)
     return Settings(
         checked(Feel, {key: tables[key] for key in Feel._fields if key in tables}, "", where),
         law,
         checked(Invert, table_of(tables.get("invert", {}), "invert", where), "invert", where),
+        flag_of(tables.get("sound", True), "sound", where),
         {guid: layout_of(table, f"pads.{guid}", where) for guid, table in pads.items()},
     )
+
+
+def flag_of(value: Any, key: str, where: str) -> bool:
+    """The value, which must be true or false; else InputError, with `key` and `where`."""
+    if not isinstance(value, bool):
+        raise InputError(f"{key} must be true or false, got {value!r} ({where})")
+    return value
 
 
 def law_of(name: Any, where: str) -> StickLaw:

@@ -98,6 +98,16 @@ class PersonStick:
             self._mouse = max(-1.0, min(1.0, (event.pos[0] - middle) / middle * 2))
         return self._pads.handle(event)
 
+    @property
+    def push(self) -> tuple[float, float]:
+        """How far the pad's sticks are pushed to the right and down, -1..1."""
+        hands = self._pads.hands()
+        return hands.steer, max(hands.left, -hands.reel, key=abs)
+
+    def rumble(self, low: float, high: float) -> None:
+        """Shakes the pad that steers, if there is one that can; low and high motor, 0..1."""
+        self._pads.rumble(low, high)
+
     def change(self, what: str) -> None:
         """Changes to the next "law", or to a stick for each line and back ("two sticks")."""
         if what == "law":

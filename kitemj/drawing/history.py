@@ -28,7 +28,8 @@ class Traces(NamedTuple):
 
     `trail` (n, 3) [m, E], oldest first; `twist` [rad], positive to the right. `lateness` and
     `frame_time` (CHART_COLUMNS,) [s]: the longest in each part of the last CHART_SPAN, NaN
-    where there was none. `alarm`: the last one, its age counted from when it ended.
+    where there was none. `alarm`: the last one, its age counted from when it ended. `pull` (n,)
+    [N]: what a line pulled at each point of the trail, the mean of all; None: it is not known.
     """
 
     trail: NDArray[np.float64]
@@ -36,14 +37,16 @@ class Traces(NamedTuple):
     lateness: NDArray[np.float64]
     frame_time: NDArray[np.float64]
     alarm: Alarm | None = None
+    pull: NDArray[np.float64] | None = None
 
 
 class Point(NamedTuple):
-    """A point of the trail: when [s], how far the lines were turned [rad], where [m, E]."""
+    """A point of the trail: when [s], how far lines were turned [rad], where [m, E], pull [N]."""
 
     t: float
     twist: float
     place: Vector
+    pull: float
 
 
 class History:
@@ -69,7 +72,8 @@ class History:
             angle = twist_angle(self._parameters, motion)
             last = self._points[-1].twist if self._points else angle
             twist = last + (angle - last + pi) % (2 * pi) - pi
-            self._points.append(Point(motion.t, twist, motion.body.p_G_E))
+            pull = sum(motion.tensions) / len(motion.tensions)
+            self._points.append(Point(motion.t, twist, motion.body.p_G_E, pull))
         alarm = alarm_at(self._parameters, motion, self._points[-1].twist)
         if alarm:
             self._alarm = (now, alarm)
@@ -85,7 +89,8 @@ class History:
         trail = np.array([point.place for point in points]).reshape(len(points), 3)
         twist = points[-1].twist if points else 0.0
         late, frames = self._lateness.values(now), self._frame_time.values(now)
-        return Traces(trail, twist, late, frames, alarm)
+        pull = np.array([point.pull for point in points])
+        return Traces(trail, twist, late, frames, alarm, pull)
 
 
 class Rolling:

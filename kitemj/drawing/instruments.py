@@ -1,35 +1,34 @@
-"""The instruments over the picture: the place of each, and which are shown.
+"""The instruments over the picture: which are shown in each depth, and the place of each.
 
-Red is the pilot's left (A₊), blue the pilot's right (A₋), as on the kite.
+Red is the pilot's left (A₊), blue the pilot's right (A₋), as on the kite; letters and places
+say so too.
 """
-
-from math import degrees
 
 import numpy as np
 import pygame
 
 from kitemj.controls.actions import PANELS
-from kitemj.drawing import strip_chart, wind_window
-from kitemj.drawing.alarms import Alarm, alarm_at, loudness, paint_banner
-from kitemj.drawing.colours import CALL, DIM, GOOD, LEFT, RIGHT, TROUGH, WHITE
+from kitemj.drawing import head_up, strip_chart, wind_window
+from kitemj.drawing.alarms import Alarm, alarm_at, loudness
+from kitemj.drawing.colours import WHITE
+from kitemj.drawing.flight_panels import paint_air, paint_arrows, paint_flight, paint_model
+from kitemj.drawing.head_up import paint_chips, paint_head_up
 from kitemj.drawing.knob import paint_knob
 from kitemj.drawing.lesson_panel import beside, paint_lesson, paint_touch
-from kitemj.drawing.panel import LARGE, NAME, NOW, NUMBER, Panel, Place, box_of
+from kitemj.drawing.panel import NAME, Panel, Place, box_of
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.strip_chart import paint_chart
 from kitemj.drawing.tensions import paint_tensions, scale_of
-from kitemj.drawing.text import width
-from kitemj.drawing.wind_window import WindWindow, bearing
+from kitemj.drawing.toast import paint_alarm, paint_message, told
+from kitemj.drawing.wind_window import NO_TRAIL, WindWindow
 from kitemj.dynamics.motion import Motion
-from kitemj.flight.limits import SIDESLIP, STALL, TWIST, Numbers
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.scene import newtons_per_metre
 
-MARGIN = 12
-STRIP = 118  # height of the strip along the bottom
-INSET_FOOT = 240  # where the small view ends, in units
-GAP_UNITS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (0.0, "nm"))  # from this on, in metres
-NO_TRAIL = np.empty((0, 3))
+MARGIN, GAP = 12, 10
+STRIP = 124  # height of the engineer's plates along the bottom
+COLUMN = 292  # width of those at the sides
+INSET_FOOT = 176  # where the small view ends
+WINDOW_TOP = 20  # rows for the window's title
 
 
 class Instruments:
@@ -49,66 +48,111 @@ class Instruments:
         surface: pygame.Surface,
         motion: Motion,
         readings: Readings,
-        shown: set[str],
-        near: bool = True,
+        depth: str = "pilot",
+        shown: set[str] | frozenset[str] = frozenset(PANELS),
     ) -> None:
-        """Paints the panels named in `shown`, and what must be seen; the surface is the frame.
+        """Paints the instruments of a depth, and in each but "none" what must be said.
 
-        From `near` the kite is low in the frame, else high: the banner is where it is not.
+        surface: the frame
+        motion: the kite
+        readings: what is shown besides
+        depth: a name of `actions.DEPTHS`
+        shown: the engineer's panels, and "arrows" where the picture has any
         """
-        traces = readings.traces
-        timed = readings.missed_ticks or (traces and np.isfinite(traces.lateness).any())
-        # where nobody keeps time the chart has nothing to show
-        names = [name for name in PANELS if name in shown and (timed or name != "chart")]
+        self.taken, traces = [], readings.traces
+        if depth == "none":
+            return
         twist = traces.twist if traces else 0.0
         alarm = alarm_at(self.parameters, motion, twist) or (traces.alarm if traces else None)
         if readings.touch and readings.touch.gentle:
             alarm = None  # a kite that was landed is where it was meant to be
-        # the panel that alarms comes last, so that its frame lies over its neighbours
-        for name in sorted(names, key=lambda name: loudness(alarm, name)):
-            self._paint_panel(name, surface, motion, readings, loudness(alarm, name))
-        self.taken = [self.box(name) for name in names]
-        self._say(surface, readings, None if readings.touch else alarm, near)
+        if depth == "pilot":
+            self._paint_head_up(surface, motion, readings)
+        else:
+            self._paint_panels(surface, motion, readings, alarm, set(shown))
+        self._say(surface, readings, None if readings.touch else alarm, depth)
+
+    def _paint_head_up(self, surface: pygame.Surface, motion: Motion, readings: Readings) -> None:
+        panel = Panel(surface, self._boxes["head up"], self.u)
+        panel.ground()
+        paint_head_up(panel, self.parameters.limits, self._window, self._pulls, motion, readings)
+        self.taken = [panel.box, *paint_chips(panel, readings)]
+
+    def _paint_panels(
+        self,
+        surface: pygame.Surface,
+        motion: Motion,
+        readings: Readings,
+        alarm: Alarm | None,
+        shown: set[str],
+    ) -> None:
+        traces = readings.traces
+        timed = readings.missed_ticks or (traces and np.isfinite(traces.lateness).any())
+        # where nobody keeps time the chart has nothing to show
+        for name in (*PANELS, "arrows"):
+            if name in shown and (timed or name != "chart"):
+                self._paint_panel(name, surface, motion, readings, loudness(alarm, name))
+                self.taken.append(self.box(name))
 
     def _say(
-        self, surface: pygame.Surface, readings: Readings, alarm: Alarm | None, near: bool
+        self, surface: pygame.Surface, readings: Readings, alarm: Alarm | None, depth: str
     ) -> None:
-        """Paints lesson, touch of the ground, message and alarm, as there is room."""
-        room, u = self._room(near), self.u
-        if readings.lesson:
-            self.taken.append(paint_lesson(surface, room, u, readings.lesson, near))
-            room = beside(room, self.taken[-1], u)
-        self.taken.append(paint_banner(surface, room, u, alarm, readings.message, near))
+        """Paints lesson and touch of the ground at the foot, alarm and message where room is."""
+        room, u, top = self.room(depth), self.u, depth == "engineer"
+
+        def take(box: pygame.Rect) -> pygame.Rect:
+            self.taken.append(box)
+            return beside(room, box, u)
+
+        lesson = readings.lesson
+        if lesson and not (readings.touch and lesson.down):  # else the card has its advice
+            room = take(paint_lesson(surface, room, u, lesson))
         if readings.touch:
-            if readings.message:
-                room = beside(room, self.taken[-1], u)
-            self.taken.append(paint_touch(surface, room, u, readings.touch))
+            room = take(paint_touch(surface, room, u, readings.touch, lesson))
+        if alarm := told(alarm):
+            room = take(paint_alarm(surface, room, u, alarm, numbers=top, top=top))
+        if readings.message and not (alarm and readings.message == alarm.departure.limit.sentence):
+            take(paint_message(surface, room, u, readings.message, top))
 
     def box(self, name: str) -> pygame.Rect:
         """The box of a panel in the frame [px], painted or not."""
         return box_of(self._boxes[name], self.u)
 
-    def _room(self, near: bool) -> pygame.Rect:
-        """The box where the banner may be [px]: between the panels, above or below."""
-        u = self.u
-        left, right = (318, 410) if near else (440, 316)
-        wide, tall = self.width - (left + right) * u, self.height - (STRIP + 10 + MARGIN) * u
+    def room(self, depth: str) -> pygame.Rect:
+        """The box where something may be said [px]: below the kite, between the instruments."""
+        u, foot = self.u, MARGIN
+        left, right = MARGIN, MARGIN + head_up.WIDTH + GAP
+        if depth == "engineer":
+            left = right = MARGIN + COLUMN + GAP
+            foot = MARGIN + STRIP + GAP
+        wide, tall = self.width - (left + right) * u, self.height - (foot + MARGIN) * u
         return pygame.Rect(round(left * u), round(MARGIN * u), round(wide), round(tall))
 
     def _layout(self) -> dict[str, Place]:
         """The place of each panel by name."""
-        u, left, top = self.u, MARGIN * self.u, self.height - STRIP * self.u
-        right, third = self.width - (292 + MARGIN) * u, self.width / 3
-        chart = INSET_FOOT + wind_window.HEIGHT + MARGIN
-        return {
-            "flight": (left, MARGIN * u, 290, 216),
-            "air": (left, 240 * u, 290, 132),
-            "window": (right, INSET_FOOT * u, wind_window.WIDTH, wind_window.HEIGHT),
-            "chart": (right, chart * u, strip_chart.WIDTH, strip_chart.HEIGHT),
-            "lines": (0.0, top, third / u, STRIP),
-            "knob": (third, top, third / u, STRIP),
-            "model": (2 * third, top, third / u, STRIP),
+        u = self.u
+        wide, tall = self.width / u, self.height / u
+        right, strip = wide - COLUMN - MARGIN, tall - STRIP - MARGIN
+        third = (wide - 2 * MARGIN - 2 * GAP) / 3
+        chart = INSET_FOOT + GAP + wind_window.HEIGHT + WINDOW_TOP + GAP
+        places = {
+            "flight": (MARGIN, MARGIN, COLUMN, 200),
+            "air": (MARGIN, 222, COLUMN, 160),
+            "arrows": (MARGIN, 392, COLUMN, 64),
+            "window": (right, INSET_FOOT + GAP, COLUMN, wind_window.HEIGHT + WINDOW_TOP),
+            "chart": (right, chart, COLUMN, strip_chart.HEIGHT),
+            "lines": (MARGIN, strip, third, STRIP),
+            "knob": (MARGIN + third + GAP, strip, third, STRIP),
+            "model": (MARGIN + 2 * (third + GAP), strip, third, STRIP),
+            "inset": (right, MARGIN, COLUMN, INSET_FOOT - MARGIN),
+            "head up": (
+                wide - head_up.WIDTH - MARGIN,
+                tall - head_up.HEIGHT - MARGIN,
+                head_up.WIDTH,
+                head_up.HEIGHT,
+            ),
         }
+        return {name: (x * u, y * u, w, h) for name, (x, y, w, h) in places.items()}
 
     def _paint_panel(
         self, name: str, surface: pygame.Surface, motion: Motion, readings: Readings, alarm: int
@@ -116,101 +160,28 @@ class Instruments:
         panel, traces = Panel(surface, self._boxes[name], self.u), readings.traces
         panel.ground(alarm)
         if name == "window":
-            self._window.paint(panel, motion, traces.trail if traces else NO_TRAIL)
+            self._paint_window(panel, motion, readings)
         elif name == "chart":
             paint_chart(panel, traces, readings.missed_ticks, readings.lateness)
         elif name == "flight":
-            self._flight(panel, motion, readings, alarm)
+            paint_flight(panel, self.parameters, motion, readings, alarm)
         elif name == "air":
-            self._air(panel, motion, alarm)
+            paint_air(panel, self.parameters, motion, alarm)
         elif name == "lines":
             paint_tensions(panel, self.parameters, self._pulls, motion, alarm)
         elif name == "knob":
             wish, most = readings.delta_command, self.parameters.stick.delta
             paint_knob(panel, motion.control.delta, wish, most, readings.law)
+        elif name == "arrows":
+            paint_arrows(panel, self.parameters)
         else:
-            self._model(panel, readings, alarm)
+            paint_model(panel, self.parameters, readings, alarm)
 
-    def _flight(self, panel: Panel, motion: Motion, readings: Readings, alarm: int) -> None:
-        azimuth, elevation = bearing(self.parameters, motion.body.p_G_E)
-        right = panel.width - 14
-        panel.text(f"{motion.t:.1f} s", 14, 28, 28, WHITE)
-        panel.text(f"speed ×{readings.speed:.3g}", right, 28, align=1)
-        rows = (
-            ("elevation", f"{elevation:.1f}°"),
-            ("azimuth", _sided(azimuth)),
-            ("height", f"{-motion.body.p_G_E.z:.1f} m"),
-            ("airspeed", f"{motion.air.speed:.1f} m/s"),
-        )
-        for i, (name, value) in enumerate(rows):
-            grave = alarm == NOW and name == "height"
-            panel.text(name, 14, 72 + 38 * i, colour=WHITE if alarm == NOW else DIM)
-            size, colour = (LARGE, CALL) if grave else (NUMBER, WHITE)
-            panel.text(value, right, 72 + 38 * i, size, colour, 1)
-
-    def _air(self, panel: Panel, motion: Motion, alarm: int) -> None:
-        """Paints α and β as marks between their limits."""
-        limits, air = self.parameters.limits, motion.air
-        alpha = ("α", air.alpha, limits.alpha_stall, STALL)
-        beta = ("β", air.beta, limits.beta_max, SIDESLIP)
-        left, wide = 14.0, panel.width - 28
-        for i, (name, angle, most, limit) in enumerate((alpha, beta)):
-            row, middle = 26 + 64 * i, left + wide / 2
-            beyond = not limit.kept(limits, Numbers((), *air))
-            panel.text(name, left, row, NUMBER, WHITE if alarm == NOW else DIM)
-            size, colour = (LARGE - 2, CALL) if beyond else (NUMBER, WHITE)
-            panel.text(f"{degrees(angle):.1f}°", 162, row, size, colour, 1)
-            panel.text(f"max {degrees(most):.0f}°", panel.width - 14, row, align=1)
-            panel.bar(left, row + 22, wide, 11, TROUGH)
-            share = min(max(angle / most, -1.0), 1.0)
-            start, end = sorted((middle, middle + share * wide / 2))
-            panel.bar(start, row + 22, max(end - start, 3), 11, CALL if beyond else GOOD)
-            panel.bar(middle - 1, row + 19, 2, 17, WHITE)
-
-    def _model(self, panel: Panel, readings: Readings, alarm: int) -> None:
-        """Paints the model, who steers, how far the reference is, how the lines are twisted."""
-        right, name = panel.width - MARGIN, WHITE if alarm == NOW else DIM
-        panel.text(readings.model, 24, 24, NUMBER, WHITE)
-        panel.text(readings.stick, right, 24, colour=name, align=1)
-        panel.text("to reference", 24, 60, colour=name)
-        gap = "none" if readings.gap is None else _length(readings.gap)
-        panel.text(gap, right, 60, NUMBER, WHITE, 1)
-        panel.text("line twist", 24, 96, colour=name)
-        twist = readings.traces.twist if readings.traces else 0.0
-        turns = round(degrees(twist) / 360)
-        size, colour = NUMBER, (RIGHT if turns > 0 else LEFT) if turns else WHITE
-        if not TWIST.kept(self.parameters.limits, Numbers(twist=twist)):
-            size, colour = LARGE, CALL
-        told = f"{abs(turns)} {'right' if turns > 0 else 'left'}" if turns else "0"
-        panel.text(told, right, 96, size, colour, 1)
-
-    def legend(self, surface: pygame.Surface) -> None:
-        """Paints what the arrows at the kite mean, above the strip along the bottom."""
-        u, scale = self.u, f"1 m = {newtons_per_metre(self.parameters):g} N"
-        names = (("air", CALL), ("weight", WHITE), ("left", LEFT), ("right", RIGHT), (scale, WHITE))
-        room = sum(width(text, NAME * u) / u + 16 for text, _ in names) + 16
-        foot = self.height - STRIP * u
-        panel, x = Panel(surface, (0.0, foot - 36 * u, room, 36), u), 16.0
-        panel.ground()
-        self.taken.append(panel.box)
-        for text, colour in names:
-            panel.text(text, x, 18, NAME, colour)
-            x += width(text, NAME * u) / u + 16
-
-
-def _sided(azimuth: float) -> str:
-    """An azimuth [deg] from downwind as text; positive is +y_E, the pilot's left."""
-    side = "left" if azimuth > 0.05 else "right" if azimuth < -0.05 else ""
-    digits = 0 if abs(azimuth) >= 9.95 else 1
-    return f"{abs(azimuth):.{digits}f}° {side}".rstrip()
-
-
-def _length(metres: float) -> str:
-    """A length [m] as text, in the unit that suits it."""
-    if 0.0 < metres < 1e-10:
-        return "< 0.1 nm"
-    for least, unit in GAP_UNITS:
-        if metres >= least:
-            number = metres / (least or 1e-9)
-            return f"{number:.0f} {unit}" if number >= 100 else f"{number:.3g} {unit}"
-    return "no number"
+    def _paint_window(self, panel: Panel, motion: Motion, readings: Readings) -> None:
+        """Paints the wind window with its title, its sides and what its rim is."""
+        below = Panel(panel.surface, (*panel.at(0, WINDOW_TOP), COLUMN, 0), panel.unit)
+        self._window.paint(below, motion, readings.traces.trail if readings.traces else NO_TRAIL)
+        panel.text("wind window, rim 90°", 14, 20)
+        foot = WINDOW_TOP + wind_window.FOOT[1] + 17
+        panel.text("L left", 14, foot, NAME, WHITE)
+        panel.text("right R", panel.width - 14, foot, NAME, WHITE, 1)

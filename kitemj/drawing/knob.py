@@ -3,12 +3,12 @@
 from math import cos, degrees, radians, sin
 
 from kitemj.drawing.colours import CALL, DIM, LEFT, RIGHT, TROUGH, WHITE
-from kitemj.drawing.panel import LARGE, NUMBER, Panel
+from kitemj.drawing.panel import LARGE, NAME, Panel
 from kitemj.physics.shaping import StickLaw
 
 SWEEP = 135.0  # deg from the top to a limit; to the right for the right hand
-HUB = (76.0, 60.0)
-OUTER, INNER = 52.0, 36.0
+HUB = (76.0, 64.0)
+OUTER, INNER = 50.0, 35.0
 ASKS = {StickLaw.RATE: "rate", StickLaw.ACCELERATION: "accel."}
 LEVEL = 1e-4  # rad, hands nearer than this are level
 
@@ -21,7 +21,13 @@ def paint_knob(
     Under another `law` the stick asks for as large a part of that limit.
     """
     colour = RIGHT if delta > LEVEL else LEFT if delta < -LEVEL else DIM
-    hand = "RIGHT hand" if delta > LEVEL else "LEFT hand" if delta < -LEVEL else "hands level"
+    hand = (
+        "RIGHT hand pulls"
+        if delta > LEVEL
+        else "LEFT hand pulls"
+        if delta < -LEVEL
+        else "hands level"
+    )
     actual, asked = (min(max(angle / limit, -1.0), 1.0) for angle in (delta, wish))
     panel.polygon(_band(-1.0, 1.0), TROUGH)
     if abs(actual) > 1e-3:
@@ -32,14 +38,16 @@ def paint_knob(
     panel.dot(*HUB, 8, WHITE)
     tip, a, b = _at(asked, INNER - 1), _at(asked, OUTER + 7, -9.0), _at(asked, OUTER + 7, 9.0)
     panel.polygon([tip, a, b], CALL)
+    for share, letter in ((-1.0, "L"), (1.0, "R")):
+        panel.text(letter, *_at(share, OUTER + 16), NAME, WHITE, 0.5)
     x = HUB[0] + OUTER + 26
-    panel.text(hand, x, 24, 20, colour)
-    panel.text(f"δ {degrees(delta):+.2f}°", x, 62, LARGE - 4, WHITE)
+    panel.text(hand, x, 22, NAME, WHITE)
+    panel.text(f"δ {degrees(delta):+.2f}°", x, 54, LARGE, WHITE)
     if law is StickLaw.ANGLE:
-        panel.text(f"asked {degrees(wish):+.1f}°", x, 98, NUMBER - 5, CALL)
-        panel.text(f"±{degrees(limit):.1f}°", panel.width - 12, 98, align=1)
+        panel.text(f"asked {degrees(wish):+.1f}°", x, 84, NAME, CALL)
     else:
-        panel.text(f"asked {wish / limit:+.0%} {ASKS[law]}", x, 98, NUMBER - 5, CALL)
+        panel.text(f"asked {wish / limit:+.0%} {ASKS[law]}", x, 84, NAME, CALL)
+    panel.text(f"at most ±{degrees(limit):.1f}°", x, 108)
 
 
 def _at(share: float, radius: float, turned: float = 0.0) -> tuple[float, float]:

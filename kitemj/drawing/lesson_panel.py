@@ -1,43 +1,43 @@
 """The panels of a first flight: the lesson with its advice, and how the kite met the ground.
 
-Both lie between the panels at the sides: the lesson where the kite is not, the card of a
-touch in the middle.
+Both lie at the foot of the picture, below the kite's usual place.
 """
 
 import pygame
 
-from kitemj.drawing.colours import CALL, DIM, GOOD, INK, LEFT, RIGHT, TROUGH, WHITE, Colour
+from kitemj.drawing.colours import CALL, DIM, GOOD, LEFT, RIGHT, TROUGH, WHITE, Colour
 from kitemj.drawing.panel import NAME, Panel
 from kitemj.drawing.text import width, wrapped
 from kitemj.pilots.course import LessonStatus
 from kitemj.pilots.crash import Touch
 
-HEIGHT, CARD_EDGE = 160, 14  # units
-GAP = 8  # units between things that lie above one another
-SIZES = (26, 24, 22, 20, 18)  # of the advice, the first that fits in two lines
-LEADING = 1.45  # of lines, in digit heights
+HEIGHT, CARD_EDGE = 116, 16  # units
+GAP = 10  # units between things that lie above one another
+SIZES = (22, 20, 18, 16, 15)  # of the advice, the first that fits in two lines
+LEADING = 1.5  # of lines, in digit heights
+ARROWS = 84  # units at either end, for which way the stick should go
 CHEVRONS = (0.1, 0.3, 0.7)  # of the stick's way, from which on each is lit
 START_AGAIN, FLY_AGAIN = "R or the pad's A button starts again", "R or A flies again"
-HINT = "N: next   B: begin again   Shift + key: fully"
+HINT = "N next   B again"
 
 
 def paint_lesson(
-    surface: pygame.Surface, room: pygame.Rect, unit: float, lesson: LessonStatus, top: bool
+    surface: pygame.Surface, room: pygame.Rect, unit: float, lesson: LessonStatus
 ) -> pygame.Rect:
-    """Paints the lesson at the top or the foot of `room` [px]; returns its box."""
-    row = float(room.top if top else room.bottom - HEIGHT * unit)
+    """Paints the lesson at the foot of `room` [px]; returns its box."""
+    row = room.bottom - HEIGHT * unit
     panel = Panel(surface, (room.left, row, room.width / unit, HEIGHT), unit)
     panel.ground()
-    middle, inner = panel.width / 2, panel.width - 28
-    number = f"Lesson {lesson.number} of {lesson.total}  ·  " if lesson.number else ""
-    panel.text(number + lesson.title, middle, 20, NAME, WHITE, 0.5)
-    panel.text(HINT, middle, HEIGHT - 16, NAME - 3, align=0.5)
+    middle, inner = panel.width / 2, panel.width - 2 * ARROWS
+    number = f"Lesson {lesson.number} of {lesson.total}: " if lesson.number else ""
+    panel.text(number + lesson.title, 16, 20, NAME, DIM)
+    panel.text(HINT, panel.width - 16, 20, NAME, DIM, 1)
     advice = f"{lesson.advice}. {FLY_AGAIN}" if lesson.down else lesson.advice
     size, lines = _fitting(advice, inner, unit)
     colour = GOOD if lesson.praised else WHITE
     for i, line in enumerate(lines):
         below = (i - (len(lines) - 1) / 2) * size * LEADING
-        panel.text(line, middle, 68 + below, size, colour, 0.5)
+        panel.text(line, middle, 67 + below, size, colour, 0.5)
     _progress(panel, lesson)
     return panel.box
 
@@ -60,50 +60,63 @@ def _fitting(text: str, inner: float, unit: float) -> tuple[float, tuple[str, ..
 
 
 def _progress(panel: Panel, lesson: LessonStatus) -> None:
-    """Paints a bar, and at its ends which way the stick should go, by how much."""
-    row, left, wide = 112, 84.0, panel.width - 168
-    panel.bar(left, row, wide, 10, TROUGH)
+    """Paints a bar along the foot, and at both ends which way the stick should go, by how much."""
+    wide = panel.width - 32
+    panel.bar(16, HEIGHT - 14, wide, 5, TROUGH)
     if lesson.progress > 0:
-        panel.bar(left, row, min(lesson.progress, 1.0) * wide, 10, GOOD)
+        panel.bar(16, HEIGHT - 14, min(lesson.progress, 1.0) * wide, 5, GOOD)
     for side, colour in ((-1.0, LEFT), (1.0, RIGHT)):
-        edge = left - 14 if side < 0 else left + wide + 14
+        edge = panel.width / 2 + side * (panel.width / 2 - ARROWS + 10)
         for i, least in enumerate(CHEVRONS):
-            foot = edge + side * 18 * i
-            points = [(foot, row - 6), (foot + side * 13, row + 5), (foot, row + 16)]
+            foot = edge + side * 19 * i
+            points = [(foot, 67 - 13), (foot + side * 16, 67), (foot, 67 + 13)]
             panel.polygon(points, colour if lesson.push * side > least else TROUGH)
 
 
 def paint_touch(
-    surface: pygame.Surface, room: pygame.Rect, unit: float, touch: Touch
+    surface: pygame.Surface,
+    room: pygame.Rect,
+    unit: float,
+    touch: Touch,
+    lesson: LessonStatus | None = None,
 ) -> pygame.Rect:
-    """Paints what broke, how fast, where, what to do, in the middle of `room`; its box [px]."""
+    """Paints what broke, how fast, where, what to do, at the foot of `room` [px]; its box [px].
+
+    A `lesson` that waits for another flight has its say on the card.
+    """
+    advice = START_AGAIN
+    if lesson and lesson.down:
+        advice = FLY_AGAIN if lesson.advice == touch.damage else f"{lesson.advice}. {FLY_AGAIN}"
     for unit in [share * unit for share in (1.0, 0.9, 0.8, 0.7)]:  # the first that fits
-        lines = _card(touch, room.width / unit - 2 * CARD_EDGE, unit)
+        lines = _card(touch, advice, room.width / unit - 2 * CARD_EDGE, unit)
         tall = sum(size * LEADING for _, size, _ in lines) + 2 * CARD_EDGE
         if tall * unit <= room.height:
             break
-    wide = max(width(text, size * unit) for text, size, _ in lines) / unit + 2 * CARD_EDGE
-    corner = room.centerx - wide * unit / 2, room.centery - tall * unit / 2
-    panel = Panel(surface, (*corner, wide, tall), unit)
-    surface.fill(INK, panel.box)
-    edge = GOOD if touch.gentle else CALL
-    pygame.draw.rect(surface, edge, panel.box, max(round(3 * unit), 1))
+    wide = max(width(text, size * unit, True) for text, size, _ in lines) / unit + 2 * CARD_EDGE
+    box = pygame.Rect(0, 0, round(wide * unit), round(tall * unit))
+    box.midbottom = (surface.get_width() // 2, room.bottom)
+    box.clamp_ip(room)
+    panel = Panel(surface, (box.left, box.top, wide, tall), unit)
+    panel.ground()
+    panel.bar(CARD_EDGE, 7, wide - 2 * CARD_EDGE, 3, GOOD if touch.gentle else CALL)
     row = float(CARD_EDGE)
     for text, size, shade in lines:
-        panel.text(text, wide / 2, row + size * LEADING / 2, size, shade, 0.5)
+        bold = shade != WHITE
+        panel.text(text, wide / 2, row + size * LEADING / 2, size, shade, 0.5, bold)
         row += size * LEADING
     return panel.box
 
 
-def _card(touch: Touch, inner: float, unit: float) -> list[tuple[str, float, Colour]]:
+def _card(touch: Touch, advice: str, inner: float, unit: float) -> list[tuple[str, float, Colour]]:
     """Lines not wider than `inner` [units]: text, size [units], colour."""
-    said = [(touch.damage, 30.0, GOOD if touch.gentle else CALL)]
-    if not touch.gentle:
-        said.append((touch.reason, 16.0, DIM))
-    facts = (f"First the {touch.part}", touch.pace, touch.place)
-    said += [*((fact, 18.0, WHITE) for fact in facts), (START_AGAIN, 20.0, CALL)]
+    guess = "" if touch.gentle else f" ({touch.reason})"
+    said = (
+        (touch.damage, 22.0, GOOD if touch.gentle else CALL),
+        (f"First the {touch.part}, {touch.pace}, {touch.place}{guess}", 16.0, WHITE),
+        (advice, 18.0, CALL),
+    )
     return [
         (line, size, colour)
         for text, size, colour in said
-        for line in wrapped(text, inner * unit, size * unit)
+        for line in wrapped(text, inner * unit, size * unit, True)
     ]

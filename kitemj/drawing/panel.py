@@ -7,13 +7,12 @@ from collections.abc import Sequence
 
 import pygame
 
-from kitemj.drawing.colours import ALARM, CALL, DIM, Colour
-from kitemj.drawing.text import put
+from kitemj.drawing.colours import DIM, Colour
+from kitemj.drawing.plates import QUIET, paint_plate
+from kitemj.drawing.text import put, width
 
-NUMBER, NAME = 23, 18  # px of digit height in a frame of 720 rows
-LARGE = 30  # of the number that is out of its limits
-QUIET, RECENT, NOW = 0, 1, 2
-"""How loud a panel is: nothing wrong, a limit was crossed a moment ago, it is crossed."""
+NUMBER, NAME = 20, 15  # px of digit height in a frame of 720 rows
+LARGE = 24  # of the number that is out of its limits
 
 Place = tuple[float, float, float, float]
 """x, y [px of the frame], width and height [units]."""
@@ -27,19 +26,8 @@ class Panel:
         self.x, self.y, self.width, self.height = box
 
     def ground(self, alarm: int = QUIET) -> None:
-        """Paints the panel itself: darkened picture, or a red field when it alarms."""
-        u, edge = self.unit, self.box
-        if alarm == NOW:
-            edge = edge.inflate(12 * u, 12 * u).clip(self.surface.get_rect())
-            self.surface.fill(ALARM, edge)
-            pygame.draw.rect(self.surface, CALL, edge, max(round(5 * u), 2))
-            return
-        # a quarter as bright; fifteen times as fast as filling with BLEND_MULT
-        pixels = pygame.surfarray.pixels3d(self.surface)
-        pixels[edge.left : edge.right, edge.top : edge.bottom] >>= 2
-        del pixels  # it locks the surface
-        if alarm == RECENT:
-            pygame.draw.rect(self.surface, CALL, edge, max(round(3 * u), 1))
+        """Paints the plate that it lies on: dark glass, or a red field when it alarms."""
+        paint_plate(self.surface, self.box, self.unit, alarm)
 
     @property
     def box(self) -> pygame.Rect:
@@ -63,6 +51,7 @@ class Panel:
         height: float = NAME,
         colour: Colour = DIM,
         align: float = 0.0,
+        bold: bool = False,
     ) -> None:
         """Writes into the panel.
 
@@ -72,8 +61,13 @@ class Panel:
         height: units, of a digit
         colour: red, green, blue (0..255)
         align: the part of the text's width that lies left of `x`: 0 starts there, 1 ends
+        bold: whether its strokes are heavier
         """
-        put(self.surface, text, *self.at(x, y), height * self.unit, colour, align)
+        put(self.surface, text, *self.at(x, y), height * self.unit, colour, align, bold)
+
+    def wide(self, text: str, height: float = NAME, bold: bool = False) -> float:
+        """The width [units] that `text` takes."""
+        return width(text, height * self.unit, bold) / self.unit
 
     def bar(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
         """Paints a filled rectangle."""

@@ -7,12 +7,15 @@ import pygame
 from numpy.typing import NDArray
 
 from kitemj.closing import Closing
-from kitemj.controls.actions import INSTRUMENTS, VIEWS
+from kitemj.controls.actions import DEPTHS, INSTRUMENTS, VIEWS
 from kitemj.drawing.help_page import paint_help
+from kitemj.drawing.history import TRAIL_STEP, Traces
 from kitemj.drawing.instruments import Instruments
+from kitemj.drawing.plates import paint_plate
 from kitemj.drawing.readings import Readings
+from kitemj.drawing.tensions import scale_of
 from kitemj.drawing.text import put, width
-from kitemj.drawing.trail import paint_trail, seen
+from kitemj.drawing.trail import BRIGHT, paint_trail, pull_colours, seen
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.physics.parameters import Parameters
@@ -25,37 +28,46 @@ from kitemj.scene.scenery import RINGS, ring_step
 from kitemj.scene.views import Camera
 
 RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0, "top": 38.0}  # deg, right of downwind
-INSET = 0.3  # size of the small view in parts of a frame of 16:9
-TRAIL = 3.0  # px of 720 rows
+LEAST = (320, 180)  # px
+TRAIL = 5.0  # px of 720 rows
+SHORT, SUBTLE = 2.5, 0.45  # s of the trail that a pilot sees, and its opacity
 CLEAR = 0.5  # spans around the kite without a trail
+LABEL = 15.0  # units, digits of what is written into the view
 
 
 class Picture(Closing):
     """Paints motions of one parameter set; raises `NoGraphics` where OpenGL is missing.
 
-    A context manager. Any thread may paint, one at a time. `shown` holds the names among
-    INSTRUMENTS of what is painted over the view; anyone may change it between frames.
+    A context manager. Any thread may paint, one at a time. `depth` is a name of DEPTHS; `shown`
+    holds the names among INSTRUMENTS of what the engineer's has; `whole_trail`: whether a pilot
+    sees all of the trail too. Anyone may change these between frames.
     """
 
     def __init__(self, parameters: Parameters, width: int = 1280, height: int = 720) -> None:
         """Frames of `width` x `height` pixels; InputError below 320 x 180."""
-        if width < 320 or height < 180:
-            size = f"{width} x {height} pixels"
-            raise InputError(f"a picture of {size} is too small, at least 320 x 180")
+        _check(width, height)
         self.parameters, self.width, self.height = parameters, width, height
-        self.shown = set(INSTRUMENTS)
+        self.depth, self.shown, self.whole_trail = DEPTHS[0], set(INSTRUMENTS), False
         self.eye = Eye(parameters)
         self._camera: Camera | None = None
         self._inset_camera: Camera | None = None
         self._renderer = Renderer(parameters, width, height)
         self._instruments = Instruments(parameters, width, height)
+        self._pulls = scale_of(parameters)
+
+    def resize(self, width: int, height: int) -> None:
+        """Makes the next frames `width` x `height` pixels large; InputError below 320 x 180."""
+        _check(width, height)
+        self.width, self.height, self._camera = width, height, None
+        self._renderer.resize(width, height)
+        self._instruments = Instruments(self.parameters, width, height)
 
     def paint(
         self,
         motion: Motion,
         reference: Motion | None,
         readings: Readings,
-        view: str | Camera = "chase",
+        view: str | Camera = "pilot",
     ) -> NDArray[np.uint8]:
         """A new frame (height, width, 3), RGB, row 0 on top.
 
@@ -66,18 +78,22 @@ class Picture(Closing):
         """
         if isinstance(view, str) and view not in VIEWS:
             raise InputError(f"there is no view {view!r}; there are: {', '.join(VIEWS)}")
+        if self.depth not in DEPTHS:
+            told = ", ".join(DEPTHS)
+            raise InputError(f"there are no instruments {self.depth!r}; there are: {told}")
         name = view if isinstance(view, str) else ""
         self._camera = self.eye.look(motion, view) if isinstance(view, str) else view
-        self._inset_camera, forces = None, "forces" in self.shown
+        shown = self.shown if self.depth == "engineer" else set()
+        self._inset_camera, forces = None, "forces" in shown
         self._renderer.render(motion, reference, self._camera, forces)
-        if "inset" in self.shown:
+        if "inset" in shown:
             # the kite from near; all, if the main view is near
             other = "pilot" if self._camera.near else "chase"
             self._inset_camera = views.CAMERAS[other](self.parameters, motion)
-            box = self._inset_rows()
+            box = self._instruments.box("inset")
             self._renderer.render(motion, reference, self._inset_camera, forces, box)
         frame = self._renderer.frame()
-        self._letter(frame, motion, readings, name)
+        self._letter(frame, motion, readings, shown, name)
         return frame
 
     def pixel(self, p_E: Vector) -> tuple[float, float]:
@@ -88,61 +104,78 @@ class Picture(Closing):
         return place.column, place.row
 
     def _letter(
-        self, frame: NDArray[np.uint8], motion: Motion, readings: Readings, view: str
+        self,
+        frame: NDArray[np.uint8],
+        motion: Motion,
+        readings: Readings,
+        shown: set[str],
+        view: str,
     ) -> None:
-        """Paints trail, labels and instruments into the frame itself."""
+        """Paints trail, instruments, labels and help into the frame itself."""
         assert self._camera is not None
-        near = self._camera.near
         surface = pygame.image.frombuffer(frame.data, (self.width, self.height), "RGB")
-        if readings.traces and "trail" in self.shown:
-            self._trails(surface, readings.traces.trail, motion)
+        if readings.traces and ("trail" in shown or self.depth == "pilot"):
+            self._trails(surface, readings.traces, motion)
         if self._inset_camera:
-            pygame.draw.rect(surface, (235, 238, 242), self._inset_rows().inflate(4, 4), 2)
-        self._instruments.paint(surface, motion, readings, self.shown, near)
-        if near and "forces" in self.shown:
-            self._instruments.legend(surface)
-        if "labels" in self.shown:
+            edge = self._instruments.box("inset").inflate(2, 2)
+            pygame.draw.rect(surface, (235, 238, 242), edge, max(round(self._instruments.u), 1))
+        arrows = {"arrows"} if self._camera.near and "forces" in shown else set()
+        if readings.help:
+            paint_help(surface, readings.help, self._instruments.u)
+            return
+        self._instruments.paint(surface, motion, readings, self.depth, shown | arrows)
+        if "labels" in shown:
             self._labels(surface, motion, view)
-        paint_help(surface, readings.help, self._instruments.u)
 
-    def _trails(self, surface: pygame.Surface, trail: NDArray[np.float64], motion: Motion) -> None:
-        """Paints the trail in both views, up to the kite's tail."""
-        unit, inset = self._instruments.u, self._inset_rows()
-        points = np.concatenate([trail, [motion.body.p_G_E]])
+    def _trails(self, surface: pygame.Surface, traces: Traces, motion: Motion) -> None:
+        """Paints the trail in both views, up to the kite's tail; a pilot's is short and faint."""
+        unit, whole = self._instruments.u, surface.get_rect()
+        quiet = self.depth == "pilot" and not self.whole_trail
+        last = slice(-round(SHORT / TRAIL_STEP), None) if quiet else slice(None)
+        points = np.concatenate([traces.trail[last], [motion.body.p_G_E]])
+        colours = None
+        if traces.pull is not None and len(traces.pull):
+            pull = traces.pull[last]
+            colours = pull_colours(np.append(pull, pull[-1]), self._pulls)
         # it has no depth: it must not be written across the kite
         away = np.linalg.norm(points - points[-1], axis=1)
         clear = away > CLEAR * self.parameters.kite.span
-        whole = surface.get_rect()
         assert self._camera is not None
+        inset = self._instruments.box("inset")
         if self._inset_camera:
             # the small view is a picture of its own: the large one's trail must not cross it
             kept = surface.subsurface(inset).copy()
         places, usable = seen(self._camera, points, whole)
-        paint_trail(surface, places, usable & clear, whole, TRAIL * unit)
+        bright = SUBTLE if quiet else BRIGHT
+        paint_trail(surface, places, usable & clear, whole, TRAIL * unit, colours, bright)
         if self._inset_camera:
             surface.blit(kept, inset)
             few = slice(None, None, -3)  # enough for a small picture
             places, usable = seen(self._inset_camera, points[few][::-1], inset)
-            paint_trail(surface, places, usable & clear[few][::-1], inset, 2 * unit)
+            hues = None if colours is None else colours[few][::-1]
+            usable &= clear[few][::-1]
+            paint_trail(surface, places, usable, inset, 2 * unit, hues)
 
     def _labels(self, surface: pygame.Surface, motion: Motion, view: str) -> None:
         """Writes the wind's speed at its arrow, the rings' distances; where there is room."""
         assert self._camera is not None
         close = self._camera.near
-        taken = self._instruments.taken + ([self._inset_rows()] if self._inset_camera else [])
+        taken = [*self._instruments.taken]
+        if self._inset_camera:
+            taken.append(self._instruments.box("inset"))
         tail, tip = self._renderer.scene.wind_arrow(motion, close)
-        aside, below, align = (0.0, 34.0, 0.5) if close else (-20.0, 0.0, 1.0)
-        if view == "side":  # where the pilot stands beside the arrow's tail
-            aside, below, align = 0.0, 34.0, 0.0
+        aside, align = (0.0, 34.0), 0.5 if close or view == "side" else 1.0
+        if not close and view != "side":
+            aside = (-20.0, 0.0)
         v_E = wind_velocity(self.parameters.wind, motion.body.p_G_E, motion.t)
-        wind = f"WIND {norm(v_E):.1f} m/s"
-        if not self._label(surface, tail, wind, 20, (aside, below), align, taken):
+        wind = f"wind {norm(v_E):.1f} m/s"
+        if not self._label(surface, tail, wind, aside, align, taken):
             middle = times(0.5, plus(tail, tip))
-            self._label(surface, middle, wind, 20, (44.0, 14.0), 0.0, taken)
+            self._label(surface, middle, wind, (44.0, 14.0), 0.0, taken)
         step = ring_step(self.parameters.lines.length)
         for k in range(1, RINGS + 1):
             place = times(k * step, self._ring_direction(view))
-            self._label(surface, place, f"{k * step:g} m", 18, (0.0, -15.0), 0.5, taken)
+            self._label(surface, place, f"{k * step:g} m", (0.0, -15.0), 0.5, taken)
 
     def _ring_direction(self, view: str) -> Vector:
         """The direction from O_E in which rings have their labels: beside what matters."""
@@ -157,7 +190,6 @@ class Picture(Closing):
         surface: pygame.Surface,
         p_E: Vector,
         text: str,
-        size: float,
         offset: tuple[float, float],
         align: float,
         taken: list[pygame.Rect],
@@ -167,32 +199,32 @@ class Picture(Closing):
         surface: the frame
         p_E: m in E, the point
         text: one line
-        size: units, the height of its digits
         offset: units to the right of the point and below it
         align: the part of the text's width that lies left of that place
         taken: px, boxes of other things; this one is added
         """
         assert self._camera is not None
-        unit = self._instruments.u
+        unit, size = self._instruments.u, LABEL * self._instruments.u
         place = views.pixel(self._camera, p_E, self.width, self.height)
         column, row = place.column + offset[0] * unit, place.row + offset[1] * unit
         if place.depth <= 0 or not (abs(column) < 1e5 and abs(row) < 1e5):
             return False
-        wide, tall = width(text, size * unit), round(1.3 * size * unit)
-        box = pygame.Rect(round(column - align * wide), round(row - tall / 2), wide, tall)
-        free = box.inflate(8 * unit, 0).collidelist(taken) < 0
-        if not free or not surface.get_rect().contains(box):
+        wide, tall = width(text, size) + 1.2 * size, 1.9 * size
+        box = pygame.Rect(column - align * wide, row - tall / 2, wide, tall)
+        if box.collidelist(taken) >= 0 or not surface.get_rect().contains(box):
             return False
-        put(surface, text, column, row, size * unit, align=align)
+        paint_plate(surface, box, 0.6 * unit)
+        put(surface, text, *box.center, size, align=0.5)
         taken.append(box)
         return True
-
-    def _inset_rows(self) -> pygame.Rect:
-        """The box of the small view, in the frame's pixels."""
-        unit = self._instruments.u
-        w, h, margin = int(INSET * 1280 * unit), int(INSET * 720 * unit), int(12 * unit)
-        return pygame.Rect(self.width - w - margin, margin, w, h)
 
     def close(self) -> None:
         """Gives the OpenGL context back; may be called twice."""
         self._renderer.close()
+
+
+def _check(width: int, height: int) -> None:
+    """Raises InputError for a picture in which nothing could be read."""
+    if width < LEAST[0] or height < LEAST[1]:
+        size = f"{width} x {height} pixels"
+        raise InputError(f"a picture of {size} is too small, at least {LEAST[0]} x {LEAST[1]}")

@@ -17,6 +17,7 @@ class Readings(NamedTuple):
     law: StickLaw = StickLaw.ANGLE  # what it asks for; the same part of another limit
     missed_ticks: int = 0
     lateness: float = 0.0  # s, of the last tick
+    assist: bool = False  # whether an assist stands between the stick and the lines
     stick: str = ""  # what steers: "gamepad", "keys", "programme"
     speed: float = 1.0  # simulated time over wall time
     message: str = ""  # one line that must be seen

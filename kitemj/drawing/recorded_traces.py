@@ -8,7 +8,7 @@ from kitemj.drawing.alarms import HELD, alarm_at
 from kitemj.drawing.history import CHART_COLUMNS, CHART_SPAN, Traces, twist_angle
 from kitemj.flight.limits import TWIST, Numbers
 from kitemj.recording.file import Recording
-from kitemj.recording.table import LIMITS
+from kitemj.recording.table import LIMITS, limit_numbers
 from kitemj.recording.track import Track
 
 TWIST_STEP = 0.1
@@ -22,6 +22,7 @@ class RecordedTraces:
         columns, tick = recording.columns, recording.header.tick
         self._recording, self._track, self._tick = recording, track, tick
         self._places = np.column_stack([columns[name] for name in ("x_E_m", "y_E_m", "z_E_m")])
+        self._pull = np.mean(limit_numbers(columns).tensions, axis=0)
         self._beyond = np.logical_or.reduce([columns[name] for name in LIMITS])
         self._every = max(1, round(history.TRAIL_STEP / tick))
         self._looks = max(1, round(TWIST_STEP / tick))
@@ -33,7 +34,8 @@ class RecordedTraces:
         """The traces to be shown at `row`."""
         start = int(self._starts[np.searchsorted(self._starts, row, side="right") - 1])
         first = max(start, row - self._every * (history.TRAIL_POINTS - 1))
-        trail = self._places[row : first - 1 if first else None : -self._every][::-1].copy()
+        back = slice(row, first - 1 if first else None, -self._every)
+        trail, pull = self._places[back][::-1].copy(), self._pull[back][::-1].copy()
         twist, alarm = float(self._twist[row]), None
         held = max(start, row - round(HELD / self._tick))
         if len(recent := np.flatnonzero(self._beyond[held : row + 1][::-1])):
@@ -42,7 +44,7 @@ class RecordedTraces:
             found = alarm_at(self._recording.parameters, motion, turned) if motion else None
             alarm = found._replace(age=int(recent[0]) * self._tick) if found else None
         unseen = np.full(CHART_COLUMNS, np.nan)
-        return Traces(trail, twist, self._lateness(row), unseen, alarm)
+        return Traces(trail, twist, self._lateness(row), unseen, alarm, pull)
 
     def _lateness(self, row: int) -> NDArray[np.float64]:
         """The largest lateness [s] in each part of the last CHART_SPAN."""

@@ -12,7 +12,7 @@ def smooth_lines(
     surface: pygame.Surface,
     places: NDArray[np.float64],
     colours: NDArray[np.float64],
-    width: float,
+    width: float | NDArray[np.float64],
     box: pygame.Rect,
     usable: NDArray[np.bool_] | None = None,
 ) -> None:
@@ -21,7 +21,7 @@ def smooth_lines(
     surface: the frame
     places: (n, 2) px, the points it leads through
     colours: (n-1, 4) red, green, blue (0..255) and opacity (0..1) of each piece
-    width: px
+    width: px, of all pieces or (n-1,) of each
     box: px; nothing is painted outside
     usable: (n,) pieces with an end that is not usable are left out; None: all are
     """
@@ -47,8 +47,9 @@ def smooth_lines(
     along = np.arange(len(piece)) - np.repeat(np.cumsum(counts) - counts, counts) + first[piece]
     slope = d[:, 1] / d[:, 0]
     across = a[piece, 1] + slope[piece] * (along - a[piece, 0])
-    half = (width / 2 * np.sqrt(1 + slope**2))[piece]
-    reach = int(np.ceil(width / 2 * 1.4143 + 0.5))
+    wide = np.broadcast_to(width, kept.shape)[kept]
+    half = (wide / 2 * np.sqrt(1 + slope**2))[piece]
+    reach = int(np.ceil(wide.max() / 2 * 1.4143 + 0.5))
     rows = np.floor(across + 0.5).astype(int)[:, None] + np.arange(-reach, reach + 1)
     cover = np.clip(half[:, None] + 0.5 - np.abs(rows - across[:, None]), 0.0, 1.0)
     columns = np.broadcast_to(along[:, None], rows.shape)

@@ -9,8 +9,8 @@ from math import inf, sqrt
 from typing import NamedTuple
 
 from kitemj.drawing.colours import BAD, CALL, INK, LEFT, RIGHT, TROUGH, WHITE
-from kitemj.drawing.panel import LARGE, NAME, NOW, NUMBER, Panel
-from kitemj.drawing.text import width
+from kitemj.drawing.panel import LARGE, NAME, NUMBER, Panel
+from kitemj.drawing.plates import NOW
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.equilibrium import pull_at_rest
 from kitemj.flight.limits import OVERLOAD, SLACK, Numbers
@@ -20,11 +20,11 @@ from kitemj.physics.vectors import norm
 
 BAR = 74.0  # where it begins
 ROOM = 206.0  # how long it is
-TOP, ROWS = 32.0, 80.0  # where the rows of lines begin, and how tall they are together
+TOP, ROWS = 34.0, 66.0  # where the rows of lines begin, and how tall they are together
 HANGS = 1e-3  # m that a line is longer than its distance
 FASTEST = 5
 """Times the airspeed at rest: where a bar ends. No kite with L/D below 5 comes to fly faster."""
-TITLED = 96.0  # where the panel's title is over
+HEAD, FEET = 20.0, 112.0  # rows of the title and of what is written under the marks
 LETTERS = 9  # of a line's name, at most
 
 
@@ -49,7 +49,7 @@ def paint_tensions(
     panel: Panel, parameters: Parameters, scale: Scale, motion: Motion, alarm: int
 ) -> None:
     """Paints the panel of tensions."""
-    _head(panel, scale, parameters.limits.tension_max)
+    _title(panel, scale, parameters.limits.tension_max)
     names = ("left", "right", *rig_of(parameters).lines[2:])
     pitch = ROWS / len(names)
     half = 0.325 * pitch  # of a bar's height
@@ -58,29 +58,26 @@ def paint_tensions(
         tension, hangs = line.tension_kite, line.length - norm(line.points[-1])
         slack = hangs > HANGS or not SLACK.kept(parameters.limits, Numbers((tension,)))
         over = not OVERLOAD.kept(parameters.limits, Numbers((tension,)))
-        _name(panel, name, row, WHITE if alarm == NOW else colour)
+        _name(panel, name, row)
         panel.bar(BAR, row - half, ROOM, 2 * half, TROUGH)
         if slack:
             panel.bar(BAR, row - half, ROOM, 2 * half, CALL)
-            panel.text(f"SLACK  {max(hangs, 0.0):.2f} m", BAR + ROOM / 2, row, 18, INK, 0.5)
+            panel.text(f"SLACK  {max(hangs, 0.0):.2f} m", BAR + ROOM / 2, row, NAME, INK, 0.5)
         else:
             share = scale.share(tension)
             panel.bar(BAR, row - half, share * ROOM, 2 * half, BAD if over else colour)
             _marks(panel, scale, parameters.limits.tension_max, row, half)
-        value = f"{tension:.1f} N" if abs(tension) < 99.95 else f"{tension:.0f} N"
-        colour, size = (CALL, LARGE - 2) if slack or over else (WHITE, NUMBER)
-        panel.text(value, panel.width - 10, row, size if alarm == NOW else NUMBER, colour, 1)
+        colour, size = (CALL, LARGE) if slack or over else (WHITE, NUMBER)
+        size = size if alarm == NOW else NUMBER
+        panel.text(newtons(tension), panel.width - 14, row, size, colour, 1)
 
 
-def _head(panel: Panel, scale: Scale, most: float) -> None:
-    """Writes what the marks are, above them."""
-    panel.text("LINES", 12, 20)
+def _title(panel: Panel, scale: Scale, most: float) -> None:
+    """Writes what the bars are, and the pull at rest under its mark."""
+    panel.text(f"lines' pull, at most {most:.0f} N", 14, HEAD)
     if scale.rest < scale.full:
         rest = f"rest {scale.rest:.{2 if scale.rest < 9.5 else 3}g} N"
-        half = width(rest, NAME * panel.unit) / panel.unit / 2
-        middle = max(BAR + scale.share(scale.rest) * ROOM, TITLED + half)
-        panel.text(rest, middle, 20, align=0.5)
-    panel.text(f"max {most:.0f} N", panel.width - 10, 20, align=1)
+        panel.text(rest, BAR + scale.share(scale.rest) * ROOM, FEET, align=0.5)
 
 
 def _marks(panel: Panel, scale: Scale, most: float, row: float, half: float) -> None:
@@ -93,8 +90,12 @@ def _marks(panel: Panel, scale: Scale, most: float, row: float, half: float) -> 
             panel.bar(x, row + half + 3 - tall, 2, tall, WHITE)
 
 
-def _name(panel: Panel, name: str, row: float, colour: tuple[int, int, int]) -> None:
+def _name(panel: Panel, name: str, row: float) -> None:
     """Writes a line's name into the room before its bar; a long one is smaller, and cut."""
     shown = name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…"
-    wide = width(shown, NAME * panel.unit) / panel.unit
-    panel.text(shown, 12, row, NAME * min(1.0, (BAR - 18) / wide), colour)
+    panel.text(shown, 14, row, NAME * min(1.0, (BAR - 20) / panel.wide(shown)), WHITE)
+
+
+def newtons(tension: float) -> str:
+    """A tension [N] as text."""
+    return f"{tension:.1f} N" if abs(tension) < 99.95 else f"{tension:.0f} N"

@@ -1,4 +1,4 @@
-"""The kite's trail as a line in the picture: bright where it is new, fading where it is old."""
+"""The kite's trail as a ribbon: wide and bright where it is new, thin and faint where it is old."""
 
 from math import tan
 
@@ -7,11 +7,15 @@ import pygame
 from numpy.typing import NDArray
 
 from kitemj.drawing.smooth import smooth_lines
+from kitemj.drawing.tensions import Scale
 from kitemj.physics.vectors import cross
 from kitemj.scene.views import Camera
 
-COLOUR = (255.0, 232.0, 120.0)
-FAINT, BRIGHT = 0.12, 0.95  # opacity of the oldest and of the newest piece
+PALE = (255.0, 244.0, 214.0)
+HEAT = np.array([(74.0, 116, 214), (98, 206, 196), (248, 238, 150), (250, 158, 62), (222, 46, 46)])
+"""Colours of a pull, from none to the end of the bars that show it."""
+FAINT, BRIGHT = 0.05, 0.9  # opacity of the oldest and of the newest piece
+THIN = 0.35  # part of the width that the oldest piece has
 LEAST_DEPTH = 0.5  # m before the camera
 
 
@@ -32,16 +36,35 @@ def seen(
     return np.stack([columns, rows], axis=1), before
 
 
+def pull_colours(pull: NDArray[np.float64], scale: Scale) -> NDArray[np.float64]:
+    """The colours (n, 3) of what a line pulls (n,) [N]: cold without, red at the bars' end."""
+    share = np.sqrt(np.clip(pull / scale.full, 0.0, 1.0)) * (len(HEAT) - 1)
+    return np.stack([np.interp(share, range(len(HEAT)), hue) for hue in HEAT.T], axis=1)
+
+
 def paint_trail(
     surface: pygame.Surface,
     places: NDArray[np.float64],
     usable: NDArray[np.bool_],
     box: pygame.Rect,
     width: float,
+    colours: NDArray[np.float64] | None = None,
+    bright: float = BRIGHT,
 ) -> None:
-    """Paints a line through `places` (n, 2) [px], oldest first, `width` px wide, within `box`."""
+    """Paints a ribbon within `box`.
+
+    surface: the frame
+    places: (n, 2) px, the points it leads through, oldest first
+    usable: (n,) pieces with an end that is not usable are left out
+    box: px; nothing is painted outside
+    width: px, of its newest piece
+    colours: (n, 3) red, green, blue (0..255) of each point; None: pale
+    bright: opacity of its newest piece
+    """
     if len(places) < 2:
         return
-    opacity = np.linspace(FAINT, BRIGHT, len(places) - 1)[:, None]
-    colours = np.concatenate([np.tile(COLOUR, (len(opacity), 1)), opacity], axis=1)
-    smooth_lines(surface, places, colours, width, box, usable)
+    age = np.linspace(0.0, 1.0, len(places) - 1)
+    hue = np.tile(PALE, (len(age), 1)) if colours is None else colours[1:]
+    opacity = FAINT + (bright - FAINT) * age**1.5
+    painted = np.concatenate([hue, opacity[:, None]], axis=1)
+    smooth_lines(surface, places, painted, width * (THIN + (1 - THIN) * age), box, usable)

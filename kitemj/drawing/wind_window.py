@@ -5,26 +5,29 @@ ground line is the angle from the wind, so the rim is the edge of the window and
 overflies it is seen outside. Left is the pilot's left.
 """
 
+from functools import lru_cache
 from math import acos, cos, degrees, hypot, pi, radians, sin
 
 import numpy as np
+import pygame
 from numpy.typing import NDArray
 
-from kitemj.drawing.colours import CALL, DIM, LEFT, RIGHT, WHITE, Colour
+from kitemj.drawing.colours import CALL, LEFT, RIGHT, WHITE, Colour
 from kitemj.drawing.panel import Panel
+from kitemj.drawing.plates import paint_smoothly, smooth
 from kitemj.drawing.trail import paint_trail
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times
 from kitemj.scene.views import UP, downwind
 
-WIDTH, HEIGHT = 292, 172
-FOOT = (146.0, 144.0)  # of the pilot: the middle of the ground line
-RADIUS = 124.0  # of the rim, 90° from the wind
-SKY: Colour = (38, 62, 92)
-GRID: Colour = (92, 118, 148)
-EARTH: Colour = (108, 140, 84)
-WING = 14.0  # half the kite's width
+WIDTH, HEIGHT = 292, 188
+FOOT = (146.0, 158.0)  # of the pilot: the middle of the ground line
+RADIUS = 118.0  # of the rim, 90° from the wind
+RIM: Colour = (226, 234, 244)
+GRID, AROUND = 70, 1.5  # opacity 0..255 of the net; width of the rim and of the ground
+NO_TRAIL = np.empty((0, 3))
+NOSE, WING = 15.0, 11.0  # of the kite's mark, from its middle
 
 
 class WindWindow:
@@ -33,19 +36,11 @@ class WindWindow:
     def __init__(self, parameters: Parameters) -> None:
         wind = downwind(parameters)
         self._wind, self._left = wind, cross(UP, wind)
-        (x, y), turns = FOOT, [radians(a) for a in range(0, 181, 6)]
-        self._sky = [(x + RADIUS * cos(turn), y - RADIUS * sin(turn)) for turn in turns]
-        self._grid = [[self._at(a, e) for a in range(-90, 91, 6)] for e in (30, 60)]
-        self._grid += [[self._at(a, e) for e in range(0, 91, 6)] for a in range(-60, 61, 30)]
 
     def place(self, p_E: Vector) -> tuple[float, float]:
         """The place of the point `p_E` [m, E] in the panel."""
         size = max(norm(p_E), 1e-9)
-        ahead, left, up = (dot(p_E, axis) / size for axis in (self._wind, self._left, UP))
-        away = acos(min(max(ahead, -1.0), 1.0)) / (pi / 2)
-        flat = max(hypot(left, up), 1e-12)
-        x, y = FOOT
-        return x - RADIUS * away * left / flat, y - RADIUS * away * up / flat
+        return _spot(*(dot(p_E, axis) / size for axis in (self._wind, self._left, UP)))
 
     def places(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
         """The same for many points (n, 3): (n, 2)."""
@@ -57,41 +52,86 @@ class WindWindow:
         return np.stack([FOOT[0] - share * left, FOOT[1] - share * up], axis=1)
 
     def paint(self, panel: Panel, motion: Motion, trail: NDArray[np.float64]) -> None:
-        """Paints the instrument; `trail` (n, 3) [m, E], oldest first."""
-        panel.polygon(self._sky, SKY)
-        for line in self._grid:
-            panel.line(line, GRID, 1)
-        panel.line(self._sky, DIM, 2)
-        panel.bar(8, FOOT[1], WIDTH - 16, 4, EARTH)
-        panel.text("left", 8, FOOT[1] + 17, colour=LEFT)
-        panel.text("right", WIDTH - 8, FOOT[1] + 17, colour=RIGHT, align=1)
-        panel.text("wind window", FOOT[0] - 8, FOOT[1] + 17, align=0.5)
+        """Paints outline, kite and `trail` (n, 3) [m, E], oldest first; no words."""
         box = panel.rect(0, 0, WIDTH, HEIGHT)
+        panel.surface.blit(_net(box.size, panel.unit), box)
         if len(trail):
             trail = trail[::-3][::-1]  # enough for a small picture
             places = np.array([panel.x, panel.y]) + panel.unit * self.places(trail)
-            paint_trail(panel.surface, places, np.full(len(trail), True), box, 3 * panel.unit)
+            usable = np.full(len(trail), True)
+            paint_trail(panel.surface, places, usable, box, 3 * panel.unit, bright=0.8)
         self._paint_kite(panel, motion)
 
     def _paint_kite(self, panel: Panel, motion: Motion) -> None:
-        """Paints a dot with a red and a blue wing, turned as the kite is."""
-        G = motion.body.p_G_E
+        """Paints an arrowhead that flies nose first, its wings in the colours of the kite's."""
+        G, R = motion.body.p_G_E, motion.body.R_BE
         x, y = self.place(G)
-        x, y = min(max(x, 14.0), WIDTH - 14.0), min(max(y, 14.0), FOOT[1] + 6)
-        tip = times(1e-3 * max(norm(G), 1.0), motion.body.R_BE.y)
-        ahead, behind = self.place(plus(G, tip)), self.place(minus(G, tip))
+        x, y = min(max(x, 14.0), WIDTH - 14.0), min(max(y, 14.0), FOOT[1] + 8)
+        nose, left = self._towards(G, R.x), self._towards(G, R.y)
+        tip = (NOSE * nose[0], NOSE * nose[1])
+        notch = (-0.35 * tip[0], -0.35 * tip[1])
+        reach = 1.4 * NOSE
+        corner = panel.at(x - reach, y - reach)
+        side = max(round(2 * reach * panel.unit), 2)
+        box = pygame.Rect(round(corner[0]), round(corner[1]), side, side)
+
+        def draw(large: pygame.Surface, finer: float) -> None:
+            k = large.get_width() / (2 * reach)
+            for wing, colour in ((1.0, LEFT), (-1.0, RIGHT)):
+                back = (
+                    wing * WING * left[0] - 0.75 * tip[0],
+                    wing * WING * left[1] - 0.75 * tip[1],
+                )
+                points = [((px + reach) * k, (py + reach) * k) for px, py in (tip, back, notch)]
+                pygame.draw.polygon(large, colour if G.z < 0 else CALL, points)
+                pygame.draw.lines(large, WHITE, False, points, max(round(finer * panel.unit), 1))
+
+        paint_smoothly(panel.surface, box, draw)
+
+    def _towards(self, G: Vector, axis: Vector) -> tuple[float, float]:
+        """The unit vector in the panel along `axis` [E] of a kite at `G` [m, E]."""
+        step = times(1e-3 * max(norm(G), 1.0), axis)
+        ahead, behind = self.place(plus(G, step)), self.place(minus(G, step))
         dx, dy = ahead[0] - behind[0], ahead[1] - behind[1]
         size = max(hypot(dx, dy), 1e-9)
-        dx, dy = WING * dx / size, WING * dy / size
-        panel.line([(x, y), (x + dx, y + dy)], LEFT, 6)
-        panel.line([(x, y), (x - dx, y - dy)], RIGHT, 6)
-        panel.dot(x, y, 5, WHITE if G.z < 0 else CALL)
+        return dx / size, dy / size
 
-    def _at(self, azimuth_deg: float, elevation_deg: float) -> tuple[float, float]:
-        """The place of a direction; `azimuth_deg` is positive to the pilot's left."""
-        azimuth, elevation = radians(azimuth_deg), radians(elevation_deg)
-        level = plus(times(cos(azimuth), self._wind), times(sin(azimuth), self._left))
-        return self.place(plus(times(cos(elevation), level), times(sin(elevation), UP)))
+
+@lru_cache(8)
+def _net(size: tuple[int, int], unit: float) -> pygame.Surface:
+    """The outline: rim and ground, and faintly each 30° of azimuth and elevation."""
+
+    def draw(large: pygame.Surface, finer: float) -> None:
+        k = finer * unit
+        thin, wide = max(round(finer * 0.8 * unit), 1), max(round(AROUND * k), 1)
+
+        def curve(points: list[tuple[float, float]], colour: tuple[int, ...], w: int) -> None:
+            pygame.draw.lines(large, colour, False, [(k * x, k * y) for x, y in points], w)
+
+        large.fill((*RIM, 0))
+        for elevation in (30, 60):
+            curve([_direction(a, elevation) for a in range(-90, 91, 5)], (*RIM, GRID), thin)
+        for azimuth in (-60, -30, 0, 30, 60):
+            curve([_direction(azimuth, e) for e in range(0, 91, 5)], (*RIM, GRID), thin)
+        curve([_direction(90, e) for e in range(0, 181, 3)], (*RIM, 235), wide)
+        (x, y), reach = FOOT, RADIUS + 10
+        curve([(x - reach, y), (x + reach, y)], (*RIM, 235), wide)
+
+    return smooth(size, draw)
+
+
+def _direction(azimuth_deg: float, elevation_deg: float) -> tuple[float, float]:
+    """The place of a direction; `azimuth_deg` is positive to the pilot's left."""
+    azimuth, elevation = radians(azimuth_deg), radians(elevation_deg)
+    level = cos(elevation)
+    return _spot(level * cos(azimuth), level * sin(azimuth), sin(elevation))
+
+
+def _spot(ahead: float, left: float, up: float) -> tuple[float, float]:
+    """The place of a unit vector by its parts along the wind, to the left and up."""
+    away, flat = acos(min(max(ahead, -1.0), 1.0)) / (pi / 2), max(hypot(left, up), 1e-12)
+    x, y = FOOT
+    return x - RADIUS * away * left / flat, y - RADIUS * away * up / flat
 
 
 def bearing(parameters: Parameters, p_E: Vector) -> tuple[float, float]:

@@ -46,7 +46,7 @@ Rule = Callable[[Limits, Numbers], Any]
 
 @dataclass(frozen=True, eq=False)
 class Limit:
-    """One limit; `sentence` says what is the matter beyond it.
+    """One limit; `sentence` says what is the matter beyond it, `advice` what a pilot does then.
 
     `kept` decides, by rows where the numbers are columns. `reading` is told beside the sentence.
     `ratio` is how much of the limit is taken up, where it has a measure.
@@ -54,6 +54,7 @@ class Limit:
 
     name: str
     sentence: str
+    advice: str
     kept: Rule
     reading: Callable[[Limits, Numbers], str]
     ratio: Rule = lambda limits, now: nan
@@ -68,12 +69,14 @@ class Limit:
 SLACK = Limit(
     "slack",
     "a line is slack, or would have to push",
+    "take line in, or steer up",
     lambda limits, now: reduce(and_, [pull > 0.0 for pull in now.tensions]),
     lambda limits, now: f"left {now.tensions[0]:.2f} N, right {now.tensions[-1]:.2f} N",
 )
 STALL = Limit(
     "stall",
     "the angle of attack is outside 0 < α < α_stall",
+    "ease the stick and let it gather speed",
     lambda limits, now: (now.alpha > 0.0) & (now.alpha < limits.alpha_stall),
     lambda limits, now: f"α = {_deg(now.alpha, '.2f')}, α_stall = {_deg(limits.alpha_stall)}",
     lambda limits, now: now.alpha / limits.alpha_stall,
@@ -81,6 +84,7 @@ STALL = Limit(
 SIDESLIP = Limit(
     "sideslip",
     "the sideslip angle is beyond β_max",
+    "ease the stick until it flies where it points",
     lambda limits, now: abs(now.beta) < limits.beta_max,
     lambda limits, now: f"β = {_deg(now.beta, '.2f')}, β_max = {_deg(limits.beta_max)}",
     lambda limits, now: abs(now.beta) / limits.beta_max,
@@ -88,6 +92,7 @@ SIDESLIP = Limit(
 OVERLOAD = Limit(
     "overload",
     "a line carries more than it may",
+    "let line out, or steer to the edge of the wind",
     lambda limits, now: reduce(and_, [pull <= limits.tension_max for pull in now.tensions]),
     lambda limits, now: f"{max(now.tensions):.0f} N of {limits.tension_max:.0f} N",
     lambda limits, now: np.max(now.tensions, axis=0) / limits.tension_max,
@@ -95,12 +100,14 @@ OVERLOAD = Limit(
 GROUND = Limit(
     "ground",
     "the kite touches the ground",
+    "start again, or go back a few seconds",
     lambda limits, now: now.clearance >= TOUCH,
     lambda limits, now: f"{now.speed:.0f} m/s of air",
 )
 TWIST = Limit(
     "twist",
     "the lines are twisted too far to slide",
+    "fly as many loops the other way",
     lambda limits, now: abs(now.twist) <= limits.twist_max,
     lambda limits, now: f"{abs(now.twist) / tau:.1f} turns of {limits.twist_max / tau:g}",
     lambda limits, now: abs(now.twist) / limits.twist_max,

@@ -37,9 +37,10 @@ class FlightProcess:
     """The flight of `setup`; launched at once, so that it loads meanwhile.
 
     `update` brings `result`, `times`, `touch`, `problem` and `memory` up to date (they are as in
-    `TickNews`); `command` is the last that was asked for, `recording` what became of that, and
-    `cut` whether the disk did not take all of it, `started` whether time ever began. What is
-    raised there is raised here: InputError, FlightError; and so is its silence.
+    `TickNews`); `command` is the last that was asked for, `started` whether time ever began,
+    `record` where it is recorded, if it is, `recording` what became of that, and `cut` whether the
+    disk did not take all of it. What is raised there is raised here: InputError, FlightError; and
+    so is its silence.
     """
 
     def __init__(self, setup: FlightSetup, launched: Child | None = None) -> None:
@@ -55,7 +56,7 @@ class FlightProcess:
         self._heard: list[TickNews] = []
         self._t = 0.0  # s of flight that is known of
         self._silent, self._listened = 0.0, time.monotonic()
-        self._record = setup.record
+        self.record = setup.record
         self._child = launched or launch()
         self._send(setup)
 
@@ -104,7 +105,7 @@ class FlightProcess:
                 self._hear(self._next(timeout=0.1))
         if not self._ended:
             self._child.kill()
-            self.recording = f"{self._record} breaks off" if self._record else "none"
+            self.recording = f"{self.record} breaks off" if self.record else "none"
         self._child.close()
         return self.recording
 

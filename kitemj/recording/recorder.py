@@ -168,3 +168,9 @@ def timestamped_name(folder: Path = Path()) -> Path:
     stem = f"kitemj-{time.strftime('%Y%m%d-%H%M%S')}"
     names = (f"{stem}{f'-{n}' if n else ''}{SUFFIX}" for n in range(1000))
     return next(folder / name for name in names if not (folder / name).exists())
+
+
+def latest(folder: Path = Path()) -> Path | None:
+    """The recording in `folder`, named as `timestamped_name` does, last written to; None: none."""
+    found = [path for path in folder.glob(f"kitemj-*{SUFFIX}") if path.is_file()]
+    return max(found, key=lambda path: (path.stat().st_mtime_ns, path.name), default=None)

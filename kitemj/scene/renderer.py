@@ -11,6 +11,7 @@ from kitemj.dynamics.motion import Motion
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
 from kitemj.scene.gl import open_graphics
+from kitemj.scene.quality import HIGH
 from kitemj.scene.scene import Scene
 from kitemj.scene.views import Camera
 
@@ -25,7 +26,7 @@ class Renderer(Closing):
     def __init__(self, parameters: Parameters, width: int, height: int) -> None:
         self.width, self.height = width, height
         self._graphics = open_graphics(width, height)
-        self.scene = Scene(parameters, width, height, self._graphics.software)
+        self.scene = Scene(parameters, width, height, HIGH)
         with self._graphics.context.as_current():
             font = mujoco.mjtFontScale.mjFONTSCALE_100
             self._context: Any = mujoco.MjrContext(self.scene.model, font)
@@ -53,6 +54,7 @@ class Renderer(Closing):
         rows = mujoco.MjrRect(box.left, bottom, box.width, box.height)
         with self._graphics.context.as_current():
             self.scene.fill(motion, reference, camera, forces)
+            self.scene.upload(self._context)
             mujoco.mjr_render(rows, self.scene.mjv, self._context)
 
     def frame(self) -> NDArray[np.uint8]:
@@ -61,6 +63,13 @@ class Renderer(Closing):
         with self._graphics.context.as_current():
             mujoco.mjr_readPixels(self._pixels, None, whole, self._context)
         return np.ascontiguousarray(self._pixels[::-1])
+
+    def resize(self, width: int, height: int) -> None:
+        """Makes the next frames `width` x `height` pixels large."""
+        with self._graphics.context.as_current():
+            mujoco.mjr_resizeOffscreen(width, height, self._context)
+        self.width, self.height = width, height
+        self._pixels = np.empty((height, width, 3), np.uint8)
 
     def close(self) -> None:
         """Gives the OpenGL context back; may be called twice."""

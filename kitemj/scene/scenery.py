@@ -1,62 +1,52 @@
 """The MuJoCo model that is only drawn: ground, sky, rings and two kites.
 
-It has no dynamics. The kite and its reference are mocap bodies, each with a true canopy and an
-enlarged one for the wide views; groups choose which are drawn.
+It has no dynamics.
 """
 
 from math import log10
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kitemj.mujoco_import import mujoco
+from kitemj.physics.frames import world
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.canopy import Mesh, canopy
+from kitemj.physics.vectors import times
+from kitemj.scene.cloth import WHITE
+from kitemj.scene.kites import add_kites
+from kitemj.scene.landscape import add_landscape
+from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture
+from kitemj.scene.quality import Quality
+from kitemj.scene.sun import sun
 
-RED = (0.90, 0.10, 0.12)  # the pilot's left, A₊
-BLUE = (0.10, 0.24, 0.95)  # the pilot's right, A₋
-WHITE = (0.96, 0.96, 0.94)
-REFERENCE = (1.0, 0.93, 0.55)
-HORIZON = (0.86, 0.91, 0.95)
-ZENITH = (0.24, 0.48, 0.80)
-MEADOW = (0.47, 0.57, 0.40)
-
-KITE, REFERENCE_GROUP = 1, 3  # groups for one who is near the kite; one more: for the wide views
-TILE = 100.0  # m of ground that the texture covers
-TEXELS = 512
-MEADOW_END = 1000.0  # m, half the side of the textured ground
-EXTENT = 9000.0  # m, from here on all is horizon
-HAZE = 24  # steps of colour from meadow to horizon
-SUN = (-0.36, 0.36, -0.86)  # W, where its light goes
+RING_GROUP = 5
 AMBIENT = 0.55
 RINGS = 6
-RING_NEAR, RING_FAR = 0.006, 0.016  # half the width of a ring in steps
+RING_WIDTH = 0.008  # half of it, in steps
 RING_BAND = 4  # width of the textured band in widths of the ring
 RING_TEXELS = 64
-RING_ALPHA = 0.95  # below 1, or the engine does not blend
-SKY = 64  # texels of one side of the sky's cube
+RING_ALPHA = 0.5
 
 
-def drawing_model(parameters: Parameters, width: int, height: int, software: bool) -> Any:
+def drawing_model(parameters: Parameters, width: int, height: int, quality: Quality) -> Any:
     """The compiled ``MjModel`` for frames of `width` x `height` pixels."""
     spec = mujoco.MjSpec()
     spec.visual.global_.offwidth, spec.visual.global_.offheight = width, height
-    spec.visual.quality.offsamples = 0 if software else 4
+    spec.visual.quality.offsamples = quality.samples
     spec.visual.quality.shadowsize = 0
     spec.visual.headlight.ambient = [AMBIENT] * 3
     spec.visual.headlight.diffuse = spec.visual.headlight.specular = [0.0] * 3
+    sunlight = times(-1.0, world(sun(parameters)))
     spec.worldbody.add_light(
         type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
-        dir=[*SUN],
-        diffuse=[(1.0 - AMBIENT) / (-SUN[2])] * 3,  # level ground shows its colour as it is
+        dir=[*sunlight],
+        diffuse=[(1.0 - AMBIENT) / -sunlight.z] * 3,  # level ground shows its colour as it is
         specular=[0.0] * 3,
         castshadow=False,
     )
-    _add_sky(spec)
-    _add_ground(spec)
+    add_landscape(spec, parameters, quality.texels)
     _add_rings(spec, parameters.lines.length)
-    _add_kites(spec, parameters)
+    add_kites(spec, parameters)
     return spec.compile()
 
 
@@ -64,58 +54,6 @@ def ring_step(length: float) -> float:
     """Distance [m] between rings around O_E: 1, 2 or 5 times a power of ten, near L₀/4."""
     decade = 10.0 ** np.floor(log10(length / 4))
     return float(max(s * decade for s in (1, 2, 5) if s * decade <= length / 4 * 1.001))
-
-
-def enlargement(parameters: Parameters) -> float:
-    """The factor by which wide views enlarge the kite, so that it can be seen at all."""
-    return max(1.0, 0.14 * parameters.lines.length / parameters.kite.span)
-
-
-def _add_ground(spec: Any) -> None:
-    """Adds the ground as a mesh: MuJoCo's plane costs thrice as much where the processor draws."""
-    texture = _ground_texture()
-    _add_texture(spec, "ground", mujoco.mjtTexture.mjTEXTURE_2D, texture)
-    n = 16
-    x = np.linspace(-MEADOW_END, MEADOW_END, n + 1)
-    corners = np.array([(a, b, 0.0) for a in x for b in x])
-    start = np.array([i * (n + 1) + j for i in range(n) for j in range(n)])
-    a, b, c, d = start, start + n + 1, start + n + 2, start + 1
-    faces = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
-    _add_mesh(spec, "ground", Mesh(corners, faces.astype(np.int32)), corners[:, :2] / TILE)
-    _add_shape(spec.worldbody, "ground", material="ground")
-    meadow = texture.mean(axis=(0, 1)) / 255
-    edges = np.geomspace(MEADOW_END, EXTENT, HAZE + 1)
-    for k in range(HAZE):
-        blend = ((k + 0.5) / HAZE) ** 1.2
-        colour = (1 - blend) * meadow + blend * np.array(HORIZON)
-        _add_mesh(spec, f"haze_{k}", _annulus(edges[k], edges[k + 1]))
-        # a hand's breadth lower, so that the corners of the meadow lie over the haze
-        _add_shape(spec.worldbody, f"haze_{k}", rgba=[*colour, 1], pos=[0, 0, -0.5])
-
-
-def _ground_texture() -> NDArray[np.uint8]:
-    """Adds a texture: two greens in turn every 10 m, a line between, a bolder one every 100 m."""
-    metre = TEXELS / TILE
-    square = (np.arange(TEXELS) / metre // 10).astype(int)
-    image = np.where(np.add.outer(square, square) % 2, 0.94, 1.0)[:, :, None] * np.array(MEADOW)
-    thin = (np.arange(TEXELS) % (10 * metre)) < 1.0
-    bold = np.arange(TEXELS) < 3
-    for lines, strength in ((thin, 0.35), (bold, 0.6)):
-        on = lines[:, None] | lines[None, :]
-        image[on] += strength * (1.0 - image[on])
-    return np.asarray(255 * image, np.uint8)
-
-
-def _add_sky(spec: Any) -> None:
-    """Adds a cube whose colour depends on elevation only; pale at the horizon and below."""
-    across = (np.arange(SKY) + 0.5) / SKY * 2 - 1
-    u, v = np.meshgrid(across, across)
-    length = np.sqrt(1 + u**2 + v**2)
-    wall, roof, floor = -v / length, 1 / length, -1 / length
-    sine = np.concatenate([wall, wall, roof, floor, wall, wall])
-    blend = (np.clip(sine, 0, 1) ** 0.55)[..., None]
-    faces = np.asarray(255 * ((1 - blend) * HORIZON + blend * np.array(ZENITH)), np.uint8)
-    _add_texture(spec, "sky", mujoco.mjtTexture.mjTEXTURE_SKYBOX, faces)
 
 
 def _add_rings(spec: Any, length: float) -> None:
@@ -129,17 +67,15 @@ def _add_rings(spec: Any, length: float) -> None:
     line[:, :, :3] = 255
     core = RING_TEXELS // (2 * RING_BAND)
     line[:, RING_TEXELS // 2 - core : RING_TEXELS // 2 + core, 3] = 255
-    _add_texture(spec, "ring", mujoco.mjtTexture.mjTEXTURE_2D, line)
+    add_texture(spec, "ring", mujoco.mjtTexture.mjTEXTURE_2D, line)
     lift = [0.0, 0.0, 0.0006 * length]  # out of the ground's depth rounding
     for k in range(1, RINGS + 1):
-        for size, half in enumerate((RING_NEAR, RING_FAR)):
-            name = f"ring_{k}_{size}"
-            band = RING_BAND * half * step
-            ring = _annulus(k * step - band, k * step + band)
-            across = np.repeat([[0.0, 0.5], [1.0, 0.5]], len(ring.vertices) // 2, axis=0)
-            _add_mesh(spec, name, ring, across)
-            white = {"material": "ring", "rgba": [*WHITE, RING_ALPHA]}
-            _add_shape(spec.worldbody, name, **white, pos=lift, group=KITE + size)
+        band = RING_BAND * RING_WIDTH * step
+        ring = _annulus(k * step - band, k * step + band)
+        across = np.repeat([[0.0, 0.5], [1.0, 0.5]], len(ring.vertices) // 2, axis=0)
+        add_mesh(spec, f"ring_{k}", ring, across)
+        white = {"material": "ring", "rgba": [*WHITE, RING_ALPHA]}
+        add_shape(spec.worldbody, f"ring_{k}", **white, pos=lift, group=RING_GROUP)
 
 
 def _annulus(inner: float, outer: float) -> Mesh:
@@ -150,43 +86,3 @@ def _annulus(inner: float, outer: float) -> Mesh:
     i, j = np.arange(sides), (np.arange(sides) + 1) % sides
     faces = np.concatenate([np.stack([i, i + sides, j + sides], 1), np.stack([i, j + sides, j], 1)])
     return Mesh(np.concatenate([inner * circle, outer * circle]), faces.astype(np.int32))
-
-
-def _add_kites(spec: Any, parameters: Parameters) -> None:
-    for size, scale in enumerate((1.0, enlargement(parameters))):
-        for part, mesh in canopy(parameters.kite, scale).items():
-            _add_mesh(spec, f"{part}_{size}", mesh)
-    spec.add_material(name="cloth", emission=0.3, specular=0.1)  # light shines through it
-    for name, group in (("kite", KITE), ("reference", REFERENCE_GROUP)):
-        body = spec.worldbody.add_body(name=name, mocap=True)
-        for part in canopy(parameters.kite):
-            rgba = [*REFERENCE, 1] if name == "reference" else [*_colour(part), 1]
-            for size in (0, 1):
-                _add_shape(body, f"{part}_{size}", material="cloth", rgba=rgba, group=group + size)
-
-
-def _colour(part: str) -> tuple[float, ...]:
-    base = {"plus": RED, "minus": BLUE, "stripe": WHITE}[part.split("_")[0]]
-    return tuple(0.72 * c for c in base) if part.endswith("dark") else base
-
-
-def _add_mesh(spec: Any, name: str, mesh: Mesh, texcoord: Any = ()) -> None:
-    added = spec.add_mesh(name=name, uservert=mesh.vertices.ravel(), userface=mesh.faces.ravel())
-    added.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL  # flat meshes have no volume
-    added.usertexcoord = np.ravel(texcoord)
-
-
-def _add_texture(spec: Any, name: str, kind: Any, image: NDArray[np.uint8]) -> None:
-    height, width, channels = image.shape
-    size = {"width": width, "height": height, "nchannel": channels}
-    spec.add_texture(name=name, type=kind, **size, data=image.ravel())
-    if kind == mujoco.mjtTexture.mjTEXTURE_2D:
-        layers = [""] * int(mujoco.mjtTextureRole.mjNTEXROLE)
-        layers[int(mujoco.mjtTextureRole.mjTEXROLE_RGB)] = name
-        spec.add_material(name=name, textures=layers, specular=0.0)
-
-
-def _add_shape(body: Any, mesh: str, **attributes: Any) -> None:
-    """Adds a geom that takes no part in contacts, so that flat meshes need no convex hull."""
-    kind = mujoco.mjtGeom.mjGEOM_MESH
-    body.add_geom(type=kind, meshname=mesh, contype=0, conaffinity=0, **attributes)

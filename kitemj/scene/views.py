@@ -1,11 +1,11 @@
 """Cameras of the views, and the pixel where a point appears. All in frame E, no state.
 
-A view is a function of the parameters and one motion: the same motion gives the same
-picture, live or from a recording, and a smooth motion a smooth picture.
+A camera is a function of the parameters and a few numbers, and those are a function of one
+motion. `kitemj.scene.eye` lets the numbers of pilot and chase follow softly.
 """
 
 from collections.abc import Callable
-from math import cos, hypot, pi, radians, remainder, sin, tan
+from math import atan, atan2, cos, pi, radians, remainder, sin, sqrt, tan
 from typing import NamedTuple
 
 from kitemj.dynamics.motion import Motion
@@ -17,13 +17,28 @@ FIELD = radians(58.0)  # vertical angle of view
 NEAR = 0.25  # m, closer is not drawn
 HIGHEST = radians(85.0)  # elevation of an orbit
 LOWEST = 0.6  # m above the ground that an eye stands
-NEAR_ORBIT = 8.0  # spans, up to here the kite is seen in its true size
+NEAR_ORBIT = 8.0  # spans, up to here the kite is seen with its forces
+OVERHEAD = 0.35  # how far from the zenith, in parts of the lines, yaws begin to go to zero
+
+BEHIND, ASIDE, EYE = 5.0, 0.9, 1.5  # m from O_E: behind the pilot, to the right, above ground
+HORIZON, KITE = 0.84, 0.55  # half heights of the frame below and above its middle
+EASING = radians(3.0)
+NARROWEST = radians(36.0)
+LOW_SPAN, HIGH_SPAN = 0.05, 0.065  # of the width of a frame, at least, for a kite low and high
+LOW, HIGH = radians(35.0), radians(60.0)
+
+CHASE_FIELD = radians(50.0)
+CHASE_SPANS = 3.6  # from the kite
+CHASE_ABOVE = radians(4.0)  # the lines, which else would be seen from their end
+CHASE_LOW = radians(3.0)  # how much lower than the kite it looks
+LEAST_EYE = 0.9  # m above the ground
 
 
 class Camera(NamedTuple):
     """Position [m, E]; unit vectors forward and up [E]; vertical angle of view [rad].
 
-    `near`: whether it is near the kite, which is then seen in its true size, with its forces.
+    `near`: whether it is near the kite, which is then seen with its forces; `wide`: whether it
+    sees the whole wind window, where the kite is enlarged.
     """
 
     position: Vector
@@ -31,6 +46,7 @@ class Camera(NamedTuple):
     up: Vector
     field: float
     near: bool = False
+    wide: bool = False
 
 
 class Pixel(NamedTuple):
@@ -58,39 +74,120 @@ def looking(position: Vector, target: Vector) -> Camera:
     return Camera(position, forward, cross(right, forward), FIELD)
 
 
-def chase(parameters: Parameters, motion: Motion) -> Camera:
-    """The view a few spans from the kite, from the pilot's side and above, downwind and down.
+def bearing_of(parameters: Parameters, p_E: Vector) -> tuple[float, float]:
+    """(yaw to the right of downwind, elevation) [rad] of a point, for one who looks at it from O_E.
 
-    It turns with the kite's place in the wind window and never with its attitude.
+    The yaw is the azimuth, but for points high up it goes to zero: it has no jump at the
+    zenith, nor for a kite that flies over the pilot, whose elevation is then beyond π/2.
     """
-    span, G = parameters.kite.span, motion.body.p_G_E
     wind = downwind(parameters)
-    # the bias keeps the direction defined and steady when the kite stands above the pilot
-    heading = _level(plus(G, times(parameters.lines.length, wind)), wind)
-    kite = Vector(G.x, G.y, min(G.z, 0.0))
-    eye = plus(kite, plus(times(-2.1 * span, heading), times(1.1 * span, UP)))
-    return looking(eye, plus(kite, times(0.25 * span, UP)))._replace(near=True)
+    size = norm(p_E) or 1.0
+    ahead, aside = dot(p_E, wind) / size, dot(p_E, cross(wind, UP)) / size
+    height = dot(p_E, UP) / size
+    bias = OVERHEAD * max(height, 0.0) ** 2
+    yaw = atan2(aside, (ahead + sqrt(ahead * ahead + bias * bias)) / 2)
+    return yaw, atan2(height, ahead * cos(yaw) + aside * sin(yaw))
 
 
-def pilot(parameters: Parameters, _: Motion) -> Camera:
-    """The view from behind the pilot, downwind: pilot, lines, kite and the whole wind window."""
-    L, wind = parameters.lines.length, downwind(parameters)
-    position = plus(times(-1.35 * L, wind), times(0.3 * L, UP))
-    return looking(position, plus(times(0.2 * L, wind), times(0.395 * L, UP)))
+def turned_to(parameters: Parameters, yaw: float, pitch: float) -> Vector:
+    """Unit vector [E] `yaw` [rad] to the right of downwind and `pitch` [rad] up."""
+    wind = downwind(parameters)
+    level = plus(times(cos(yaw), wind), times(sin(yaw), cross(wind, UP)))
+    return plus(times(cos(pitch), level), times(sin(pitch), UP))
+
+
+class PilotAim(NamedTuple):
+    """Yaw and elevation [rad] of the kite from the eye of the pilot view; its `field` [rad]."""
+
+    yaw: float
+    elevation: float
+    field: float
+
+
+def pilot_aim(parameters: Parameters, motion: Motion) -> PilotAim:
+    """What the pilot view follows. Its field has room for horizon and kite alike.
+
+    But it is never so wide that the span is less than `LOW_SPAN` of the width of a frame of 16:9,
+    for which the horizon leaves it as the kite climbs; then less wide than that.
+    """
+    G = motion.body.p_G_E
+    yaw, _ = bearing_of(parameters, G)
+    sight = minus(G, _shoulder(parameters, yaw))
+    elevation = atan2(dot(sight, UP), dot(sight, turned_to(parameters, yaw, 0.0)))
+    # half the field has the tangent T: HORIZON T below the middle, KITE T above it
+    t = tan(min(max(elevation, 0.01), HIGHEST))
+    both, product = HORIZON + KITE, HORIZON * KITE
+    T = (sqrt(both * both + 4 * product * t * t) - both) / (2 * product * t)
+    climbed = min(max((elevation - LOW) / (HIGH - LOW), 0.0), 1.0)
+    share = LOW_SPAN + (HIGH_SPAN - LOW_SPAN) * climbed
+    widest = parameters.kite.span / parameters.lines.length / (share * 2 * 16 / 9)
+    return PilotAim(yaw, elevation, 2 * atan(min(max(T, tan(NARROWEST / 2)), widest)))
+
+
+def pilot_camera(parameters: Parameters, aim: PilotAim) -> Camera:
+    """Behind the pilot's shoulder: the horizon low, the kite in the sky, as high as it is."""
+    T = tan(aim.field / 2)
+    low, high = atan(HORIZON * T), aim.elevation - atan(KITE * T)
+    pitch = (low + high + sqrt((high - low) ** 2 + EASING**2)) / 2  # the larger, without a corner
+    return _level(_shoulder(parameters, aim.yaw), parameters, aim.yaw, pitch, aim.field)
+
+
+def _shoulder(parameters: Parameters, yaw: float) -> Vector:
+    """The eye [m, E] behind one who has turned by `yaw` [rad]."""
+    back, aside = turned_to(parameters, yaw, 0.0), turned_to(parameters, yaw + pi / 2, 0.0)
+    return plus(plus(times(-BEHIND, back), times(ASIDE, aside)), times(EYE, UP))
+
+
+def pilot(parameters: Parameters, motion: Motion) -> Camera:
+    """The view from behind the pilot's shoulder, as it stands for a kite at rest."""
+    return pilot_camera(parameters, pilot_aim(parameters, motion))
+
+
+class ChaseAim(NamedTuple):
+    """The kite's place [m, E], and the yaw and elevation [rad] of its lines."""
+
+    x: float
+    y: float
+    z: float
+    yaw: float
+    elevation: float
+
+
+def chase_aim(parameters: Parameters, motion: Motion) -> ChaseAim:
+    """What the chase view follows."""
+    G = motion.body.p_G_E
+    return ChaseAim(*G, *bearing_of(parameters, G))
+
+
+def chase_camera(parameters: Parameters, aim: ChaseAim) -> Camera:
+    """Some spans from the kite on the pilot's side, along the lines, a little above them."""
+    span, L = parameters.kite.span, parameters.lines.length
+    distance = min(CHASE_SPANS * span, 0.6 * L)
+    pitch = min(max(aim.elevation, 0.0) - CHASE_ABOVE, HIGHEST)
+    away = turned_to(parameters, aim.yaw, pitch)
+    eye = plus(Vector(aim.x, aim.y, aim.z), times(-distance, away))
+    height = (-eye.z + LEAST_EYE + sqrt((-eye.z - LEAST_EYE) ** 2 + 0.5**2)) / 2
+    eye = Vector(eye.x, eye.y, -height)
+    return _level(eye, parameters, aim.yaw, pitch - CHASE_LOW, CHASE_FIELD)._replace(near=True)
+
+
+def chase(parameters: Parameters, motion: Motion) -> Camera:
+    """The view along the lines at the kite, as it stands for a kite at rest."""
+    return chase_camera(parameters, chase_aim(parameters, motion))
 
 
 def side(parameters: Parameters, _: Motion) -> Camera:
     """The view from the pilot's right: the wind blows from left to right."""
     L, wind = parameters.lines.length, downwind(parameters)
     target = plus(times(0.62 * L, wind), times(0.4 * L, UP))
-    return looking(plus(target, times(1.5 * L, cross(wind, UP))), target)
+    return looking(plus(target, times(1.5 * L, cross(wind, UP))), target)._replace(wide=True)
 
 
 def top(parameters: Parameters, _: Motion) -> Camera:
     """The view from straight above: the wind blows up the picture, the pilot's left is left."""
     L, wind = parameters.lines.length, downwind(parameters)
     position = plus(times(0.42 * L, wind), times(1.9 * L, UP))
-    return Camera(position, times(-1.0, UP), wind, FIELD)
+    return Camera(position, times(-1.0, UP), wind, FIELD, wide=True)
 
 
 class Orbit(NamedTuple):
@@ -135,7 +232,7 @@ def orbiting(parameters: Parameters, motion: Motion, orbit: Orbit) -> Camera:
 
 
 View = Callable[[Parameters, Motion], Camera]
-CAMERAS: dict[str, View] = {"chase": chase, "pilot": pilot, "side": side, "top": top}
+CAMERAS: dict[str, View] = {"pilot": pilot, "chase": chase, "side": side, "top": top}
 
 
 def downwind(parameters: Parameters) -> Vector:
@@ -144,10 +241,12 @@ def downwind(parameters: Parameters) -> Vector:
     return Vector(-cos(azimuth), -sin(azimuth), 0.0)
 
 
-def _level(v_E: Vector, otherwise: Vector) -> Vector:
-    """The horizontal direction of `v_E`, or `otherwise` where it has none."""
-    size = hypot(v_E.x, v_E.y)
-    return Vector(v_E.x / size, v_E.y / size, 0.0) if size > 1e-9 else otherwise
+def _level(
+    position: Vector, parameters: Parameters, yaw: float, pitch: float, field: float
+) -> Camera:
+    """The camera at `position` [m, E] that looks `yaw`, `pitch` [rad], the horizon level."""
+    forward, up = (turned_to(parameters, yaw, p) for p in (pitch, pitch + pi / 2))
+    return Camera(position, forward, up, field)
 
 
 def _unit(v: Vector) -> Vector:

@@ -8,7 +8,7 @@ from kitemj.cockpit.parallel_painting import Painters, Stage, painted
 from kitemj.errors import NoGraphics
 
 SOURCE = film_source({"set": "sport", "duration": 0.1})
-STAGE = Stage((SOURCE.parameters,), (SOURCE.caption,), (320, 180), "chase", True)
+STAGE = Stage((SOURCE.parameters,), (SOURCE.caption,), (320, 180), "chase", "engineer")
 SHOTS = [[SOURCE.shot(t, 1.0)] for t in (0.0, 0.1)]
 
 

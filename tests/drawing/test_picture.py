@@ -1,13 +1,7 @@
 """The picture: what is painted stands where the projection says, left on the left."""
 
-import platform
-import subprocess
-import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from itertools import pairwise
-from math import cos, pi, radians, sin
-from pathlib import Path
 
 import numpy as np
 import pygame
@@ -19,43 +13,18 @@ from kitemj.drawing.instruments import NUMBER, _length
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.text import put
-from kitemj.dynamics.motion import Body, Motion, PerLine, straight_lines
+from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
-from kitemj.physics.frames import R_1E, R_BE, Angles
-from kitemj.physics.loads import air
+from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
-from kitemj.physics.parameters import Parameters
-from kitemj.physics.steering import Control, rest_ell
-from kitemj.physics.vectors import Vector, minus, norm, plus, unrotated
-from kitemj.scene import gl, views
+from kitemj.physics.vectors import Vector, plus, unrotated
 from kitemj.scene.canopy import canopy, surface_point
-from kitemj.scene.gl import NoGraphics, candidates
+from kitemj.scene.gl import NoGraphics
 from kitemj.scene.scene import hanging
 from kitemj.scene.scenery import ring_step
+from tests.scene.motions import EQUILIBRIUM, LAKSA, SPORT, motion_at
 
-LAKSA = parameter_set("laksa")
-EQUILIBRIUM = Angles(0.0, radians(22.882617), 0.0, radians(-15.136331))
-SPORT = {
-    "kite": {"mass": 0.22, "chord": 0.45, "span": 1.7, "area": 0.6}
-    | {"x_A": 0.15, "y_A": 0.3, "z_A": 0.35},
-    "lines": {"length": 20.0},
-}
 QUIET = Readings()
-
-
-def motion_at(parameters: Parameters, q: Angles, delta: float = 0.0, slack: float = 0.0) -> Motion:
-    kite = parameters.kite
-    ell = rest_ell(parameters.lines.length, kite.y_A)
-    arm = Vector(0.0, ell * sin(q.eta + delta), -ell * cos(q.eta + delta))
-    middle = unrotated(R_1E(q.phi, q.gamma), arm)
-    G = minus(middle, unrotated(R_BE(q), Vector(kite.x_A, 0.0, kite.z_A)))
-    still = Vector(0.0, 0.0, 0.0)
-    body = Body(G, R_BE(q), still, still)
-    control = Control(ell, 0.0, 0.0, delta, 0.0, 0.0)
-    pulls = PerLine(0.0 if slack else 43.8, 43.8)
-    left, right = straight_lines(parameters, body, control, pulls)
-    lines = (left._replace(length=left.length + slack), right)
-    return Motion(0.0, q, body, control, lines, air(parameters, G, body.R_BE, still, 0.0))
 
 
 @pytest.fixture(scope="module")
@@ -159,58 +128,6 @@ def test_a_slack_line_hangs_and_says_so(picture: Picture) -> None:
     assert np.abs(slack_frame - taut_frame)[around].max() > 100
 
 
-def test_a_hanging_line_is_as_long_as_it_is() -> None:
-    end, length = Vector(-30.0, 5.0, -50.0), 60.0
-    points = hanging(end, length)
-    drawn = sum(norm(minus(b, a)) for a, b in pairwise(points))
-    assert points[0] == Vector(0.0, 0.0, 0.0)
-    assert points[-1] == pytest.approx(end)
-    assert drawn == pytest.approx(length, rel=0.01)
-    assert max(p.z for p in hanging(Vector(-30.0, 0.0, -1.0), 40.0)) <= 0.0
-
-
-ATTITUDES = [
-    Angles(phi, gamma, eta, theta)
-    for phi in (-1.4, 0.0, 1.4)
-    for gamma in (-0.3, 0.0, 0.6, 1.5)
-    for eta in (-1.2, 0.0, 1.2)
-    for theta in (-2.5, 0.0, 1.2)
-]
-
-
-@pytest.mark.parametrize("overrides", [{}, SPORT], ids=["laksa", "sport"])
-def test_the_chase_camera_holds_in_any_attitude(overrides: dict[str, dict[str, float]]) -> None:
-    parameters = parameter_set("laksa", overrides)
-    for q in ATTITUDES:
-        motion = motion_at(parameters, q)
-        camera = views.chase(parameters, motion)
-        assert camera.position.z < -0.5, "above the ground"
-        roll = camera.forward.x * camera.up.y - camera.forward.y * camera.up.x
-        assert abs(roll) < 1e-12, "the horizon is level"
-        assert camera.up.z < 0
-        at = views.pixel(camera, motion.body.p_G_E, 1280, 720)
-        if motion.body.p_G_E.z < 0:
-            assert 500 < at.column < 780
-            assert 380 < at.row < 480
-        assert camera.forward.x < 0, "downwind, so that +y_E stays on the left"
-
-
-def test_the_chase_camera_moves_without_a_jump() -> None:
-    steps = 400
-    turns = [2 * pi * i / steps for i in range(steps + 1)]
-    path = [Angles(0.9 * sin(u), 0.4 * cos(u), 1.5 * sin(u), u) for u in turns]
-    motions = [motion_at(LAKSA, q) for q in path]
-    cameras = [views.chase(LAKSA, m) for m in motions]
-    for m, n, a, b in zip(motions[:-1], motions[1:], cameras[:-1], cameras[1:], strict=True):
-        moved = norm(minus(n.body.p_G_E, m.body.p_G_E))
-        assert norm(minus(b.position, a.position)) < 1.1 * moved + 0.01
-        assert norm(minus(b.forward, a.forward)) < 0.05
-
-
-def test_every_view_that_can_be_asked_for_has_a_camera():
-    assert (*views.CAMERAS, "orbit") == VIEWS
-
-
 @pytest.mark.parametrize("view", VIEWS)
 def test_every_view_paints_ground_sky_and_inset(picture: Picture, view: str) -> None:
     frame = picture.paint(motion_at(LAKSA, EQUILIBRIUM), None, QUIET, view).astype(int)
@@ -237,23 +154,6 @@ def test_from_above_the_wind_blows_up_the_picture(picture: Picture) -> None:
     pilot, downwind = picture.pixel(Vector(0.0, 0.0, 0.0)), picture.pixel(Vector(-100.0, 0.0, 0.0))
     assert downwind[1] < pilot[1] - 50
     assert downwind[0] == pytest.approx(pilot[0])
-
-
-def test_the_orbit_goes_round_and_near_and_is_kept_within_bounds() -> None:
-    motion = motion_at(LAKSA, EQUILIBRIUM)
-    start = views.first_orbit(LAKSA)._replace(azimuth=0.0)
-    behind = views.orbiting(LAKSA, motion, start).position
-    right = views.orbiting(LAKSA, motion, start.turned(pi / 2, 0.0)).position
-    G = motion.body.p_G_E
-    assert behind.x > G.x + 10, "upwind of the kite"
-    assert right.y < G.y - 10, "on the pilot's right"
-    assert norm(minus(behind, G)) == pytest.approx(start.distance)
-    assert start.zoomed(2.0, LAKSA).distance == pytest.approx(start.distance / 2)
-    for orbit in (start.turned(0.0, 9.0), start.turned(40.0, -9.0), start.zoomed(1e9, LAKSA)):
-        for bounded in (orbit, orbit.zoomed(1e-9, LAKSA)):
-            camera = views.orbiting(LAKSA, motion, bounded)
-            assert camera.position.z < 0, "above the ground"
-            assert norm(camera.forward) == pytest.approx(1.0)
 
 
 def test_the_mouse_moves_the_orbit_of_the_picture(picture: Picture) -> None:
@@ -340,96 +240,6 @@ def test_another_size_and_a_second_close() -> None:
     except NoGraphics as reason:
         pytest.skip(str(reason))
     small.close()
-
-
-def test_the_mean_chord_and_the_span_are_the_kites() -> None:
-    points = np.concatenate([mesh.vertices for mesh in canopy(LAKSA.kite).values()])
-    # the arched section stands upright on the arch: its thickness adds a little at the tips
-    assert np.ptp(points[:, 1]) == pytest.approx(LAKSA.kite.span, rel=0.03)
-    across = np.linspace(-1, 1, 401)
-    nose, tail = ([surface_point(LAKSA.kite, a, s).x for a in across] for s in (0.0, 1.0))
-    assert np.mean(np.subtract(nose, tail)) == pytest.approx(LAKSA.kite.chord, rel=0.01)
-
-
-def test_the_canopy_is_closed_and_faces_outwards() -> None:
-    for name, mesh in canopy(LAKSA.kite).items():
-        edges = np.concatenate(
-            [mesh.faces[:, [0, 1]], mesh.faces[:, [1, 2]], mesh.faces[:, [2, 0]]]
-        )
-        assert {tuple(e) for e in edges} == {tuple(e[::-1]) for e in edges}, name
-        a, b, c = (mesh.vertices[mesh.faces[:, i]] for i in range(3))
-        assert np.einsum("ij,ij->i", a, np.cross(b, c)).sum() > 0, name
-
-
-def test_mujoco_gl_is_respected_and_explained() -> None:
-    assert candidates("", "Linux") == ["egl", "osmesa"]
-    assert candidates("osmesa", "Linux") == ["osmesa"]
-    assert candidates("", "Darwin") == ["cgl"]
-    assert candidates("", "Windows") == ["glfw"]
-    with pytest.raises(NoGraphics, match="switched off by MUJOCO_GL=off"):
-        candidates("off", "Linux")
-    with pytest.raises(NoGraphics, match="MUJOCO_GL=vulkan is not known"):
-        candidates("vulkan", "Linux")
-
-
-@pytest.mark.parametrize(
-    ("family", "command"),
-    [
-        ({"ID": "debian"}, "apt-get install -y libegl1 libgl1"),
-        ({"ID": "mint", "ID_LIKE": "ubuntu debian"}, "apt-get install -y libegl1 libgl1"),
-        ({"ID": "fedora"}, "dnf install -y mesa-libEGL mesa-libGL"),
-        ({}, "install Mesa's EGL and GL libraries"),
-    ],
-)
-def test_without_opengl_one_sentence_names_the_remedy(
-    monkeypatch: pytest.MonkeyPatch, family: dict[str, str], command: str
-) -> None:
-    monkeypatch.delenv("MUJOCO_GL", raising=False)
-    monkeypatch.setattr(platform, "system", lambda: "Linux")
-    monkeypatch.setattr(platform, "freedesktop_os_release", lambda: family)
-    monkeypatch.setattr(gl, "_renderer", lambda backend: None)
-    with pytest.raises(NoGraphics, match=command) as raised:
-        gl.open_graphics(640, 360)
-    assert "\n" not in str(raised.value)
-
-
-def test_a_good_answer_is_kept_and_a_bad_one_asked_again(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    answers = iter([None, "a card", "another card"])
-    monkeypatch.setattr(gl, "user_cache_path", lambda name: tmp_path / name)
-    monkeypatch.setattr(gl, "_probe", lambda backend: next(answers))
-    assert gl._renderer("egl") is None
-    assert gl._renderer("egl") == "a card"
-    assert gl._renderer("egl") == "a card"
-    monkeypatch.setenv("LIBGL_ALWAYS_SOFTWARE", "1")
-    assert gl._renderer("egl") == "another card"
-
-
-def test_an_answer_that_has_become_wrong_is_forgotten(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    monkeypatch.setattr(gl, "user_cache_path", lambda name: tmp_path / name)
-    monkeypatch.setattr(gl, "_probe", lambda backend: "a card" if backend == "egl" else None)
-    monkeypatch.setattr(platform, "system", lambda: "Linux")
-    monkeypatch.delenv("MUJOCO_GL", raising=False)
-
-    def gone(name: str) -> None:
-        raise ImportError(f"{name} is not there any more")
-
-    monkeypatch.setattr(gl, "import_module", gone)
-    with pytest.raises(NoGraphics):
-        gl.open_graphics(640, 360)
-    assert not list(tmp_path.rglob("graphics.json"))
-
-
-def test_physics_imports_mujoco_where_mujoco_gl_names_what_is_missing() -> None:
-    code = (
-        "import os; os.environ['MUJOCO_GL'] = 'nonsense'\n"
-        "from kitemj.mujoco_import import mujoco\n"
-        "assert os.environ['MUJOCO_GL'] == 'nonsense'; mujoco.MjSpec()"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_no_number_is_smaller_than_a_phone_can_show() -> None:

@@ -1,0 +1,177 @@
+"""A stunt kite of sail and frame: a swept triangle in panels, from span and chord.
+
+The sail is a sheet that is held by the leading edges, the spine and, behind, the standoffs;
+between them it bellies away from the pilot. The frame is on the pilot's side of it.
+"""
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kitemj.physics.kite import Kite
+from kitemj.physics.vectors import Vector
+from kitemj.scene.cloth import BLUE, DARK, RED, WHITE, Cloth, Fill, Points, dyed, sheet
+
+EDGE = ((0.0, 0.83), (0.2, 0.89), (0.43, 0.94), (1.0, 1.0))
+"""The trailing edge: parts of half the span, and how far behind the nose in heights."""
+HOLLOW = (0.012, 0.016, 0.055)  # how far it is cut in between those, in heights
+BEND = 1.09  # of the leading edge: 1 is straight
+DIHEDRAL = 0.05  # how far the tips are behind the nose, as the pilot sees it, in spans
+STANDOFFS = (0.2, 0.43)  # in half spans
+CROSS, UPPER, LOWER = 0.60, 0.30, 0.70  # spreaders: on the spine, and on the leading edges
+BELLY, SLACK_BELLY = 0.085, 0.02  # depth in spans, when full and when slack
+FLUTTER = 0.022  # of a slack sail's edge, in spans
+BEATS, WAVES = 5.0, 2.3  # 1/s; along half the span
+ACROSS, ALONG = 14, 8  # quadrilaterals of one half, and from edge to edge
+TEXELS = (256, 512)
+
+
+class Outline(NamedTuple):
+    """The sail's plan: `height` [m] from the nose to the tips, `nose` [m] ahead of G."""
+
+    span: float
+    height: float
+    nose: float
+
+    def leading(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """x [m] of the leading edge, at `u` half spans from the middle, 0 to 1."""
+        return self.nose - self.height * u**BEND
+
+    def trailing(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
+        """x [m] of the trailing edge."""
+        return self.nose - self.height * _trailing(u)
+
+
+def outline(kite: Kite) -> Outline:
+    """The plan of which the mean chord is the kite's, its middle of area at G."""
+    u = np.linspace(0.0, 1.0, 2001)
+    chord, middle = _trailing(u) - u**BEND, (_trailing(u) + u**BEND) / 2
+    height = kite.chord / float(chord.mean())
+    return Outline(kite.span, height, height * float((chord * middle).mean() / chord.mean()))
+
+
+def delta(kite: Kite) -> Cloth:
+    """The cloth of a stunt kite."""
+    plan = outline(kite)
+    half = np.unique(np.concatenate([np.linspace(0.0, 1.0, ACROSS + 1), STANDOFFS]))
+    u, v = np.meshgrid(
+        np.concatenate([-half[:0:-1], half]), np.linspace(0.0, 1.0, ALONG + 1), indexing="ij"
+    )
+    flat = _flat(plan, u, v)
+    faces = sheet(*u.shape)
+    both = np.concatenate([faces, faces[:, ::-1] + flat.shape[0]])
+
+    def shape(fill: Fill) -> Points:
+        points = _filled(plan, flat, u, v, fill)
+        return np.concatenate([points, points])
+
+    places = np.stack([flat[:, 1] / plan.span + 0.5, (plan.nose - flat[:, 0]) / plan.height], 1)
+    return Cloth(
+        shape,
+        both,
+        np.concatenate([places, places]),
+        _panels(),
+        lambda fill: _rods(plan, fill),
+        lambda fill, side: _knots(plan, side),
+    )
+
+
+def point(kite: Kite, across: float, along: float) -> Vector:
+    """Point [m, B] of the flat sail: `across` -1 to 1 (A₊), `along` 0 (leading edge) to 1."""
+    return _at(outline(kite), across, along)
+
+
+def _trailing(u: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The trailing edge behind the nose, in heights."""
+    knots, depths = zip(*EDGE, strict=True)
+    edge = np.interp(u, knots, depths)
+    for (a, b), hollow in zip(pairwise(knots), HOLLOW, strict=True):
+        inside = (u > a) & (u < b)
+        edge[inside] -= hollow * np.sin(np.pi * (u[inside] - a) / (b - a))
+    return edge
+
+
+def _flat(plan: Outline, u: NDArray[np.float64], v: NDArray[np.float64]) -> Points:
+    """Points [m, B] of the sail as it is cut."""
+    aside = np.abs(u)
+    x = (1 - v) * plan.leading(aside) + v * plan.trailing(aside)
+    z = DIHEDRAL * plan.span * (0.4 - aside)
+    return np.stack([x, u * plan.span / 2, z], axis=-1).reshape(-1, 3)
+
+
+def _filled(
+    plan: Outline,
+    flat: Points,
+    u: NDArray[np.float64],
+    v: NDArray[np.float64],
+    fill: Fill,
+) -> Points:
+    """Points [m, B] of the sail in the wind: away from the pilot, most behind the middle."""
+    full = np.where(u > 0, fill.left, fill.right)
+    aside = np.abs(u)
+    hold = 2.6 * aside**0.7 * (1 - aside) * np.sin(np.pi * 0.72 * v)
+    belly = (SLACK_BELLY + (BELLY - SLACK_BELLY) * full) * hold
+    wave = np.sin(2 * np.pi * (WAVES * aside + 0.6 * v - BEATS * fill.t) + (u > 0))
+    loose = FLUTTER * (1 - full) ** 3 * v**2 * (1 - aside) ** 0.5 * np.minimum(6 * aside, 1)
+    points = flat.copy()
+    points[:, 2] -= plan.span * (belly + loose * wave).ravel()
+    return points
+
+
+def _at(plan: Outline, u: float, v: float) -> Vector:
+    return Vector(*map(float, _flat(plan, np.array([u]), np.array([v]))[0]))
+
+
+def _rods(plan: Outline, fill: Fill) -> list[tuple[Vector, Vector]]:
+    """Leading edges, spine, spreaders and standoffs, from end to end [m, B]."""
+    front = 0.008 * plan.span
+
+    def on(u: float, v: float) -> Vector:
+        x, y, z = _at(plan, u, v)
+        return Vector(x, y, z + front)
+
+    cross = on(0.0, CROSS)
+    rods = [(on(0.0, 0.0), on(0.0, 1.0)), (on(UPPER, 0.0), on(-UPPER, 0.0))]
+    for side in (1.0, -1.0):
+        edge = [on(side * u, 0.0) for u in (0.0, 0.25, 0.6, 0.97)]
+        end = on(side * LOWER, 0.0)
+        rods += [*pairwise(edge), (cross, end)]
+        for u in STANDOFFS:
+            share = u / LOWER
+            start = Vector(*((1 - share) * a + share * b for a, b in zip(cross, end, strict=True)))
+            uv = np.array([[side * u]]), np.array([[1.0]])
+            flat = _flat(plan, *uv)
+            rods.append((start, Vector(*map(float, _filled(plan, flat, *uv, fill)[0]))))
+    return rods
+
+
+def _knots(plan: Outline, side: float) -> list[Vector]:
+    """Where the bridle's legs of one side are tied [m, B]."""
+    return [_at(plan, side * UPPER, 0.0), _at(plan, side * LOWER, 0.0), _at(plan, 0.0, CROSS)]
+
+
+def _panels() -> NDArray[np.uint8]:
+    """The sail's colours: red left, blue right, white about the spine; one band left, two right."""
+    rows, columns = TEXELS
+    down, across = np.meshgrid(
+        (np.arange(rows) + 0.5) / rows, (np.arange(columns) + 0.5) / columns * 2 - 1, indexing="ij"
+    )
+    u, left = np.abs(across), across > 0
+    # rays from the nose: 0 on the spine, 1 on the leading edge
+    ray = u / np.maximum(down, 1e-3) ** (1 / BEND)
+    image = np.where(left[..., None], RED, BLUE)
+    image[ray > 0.74] *= 0.62
+    dyed(image, ray < 0.20, WHITE)
+    image[ray < 0.075] = (0.98, 0.78, 0.16)
+    for side, bands in ((left, (0.66,)), (~left, (0.58, 0.74))):
+        for band in bands:
+            dyed(image, side & (np.abs(u - band) < 0.045), WHITE)
+    for seam in (0.20, 0.47, 0.74):
+        image[np.abs(ray - seam) * down < 0.006] *= 0.55
+    behind = _trailing(u.ravel()).reshape(u.shape) - down
+    dyed(image, behind < 0.016, DARK)
+    dyed(image, (1 - ray) * down < 0.022, DARK)
+    dyed(image, down < 0.06, DARK)  # the nose is reinforced
+    return np.asarray(255 * np.clip(image, 0, 1), np.uint8)

@@ -1,0 +1,53 @@
+"""Sky and ground in the drawing model."""
+
+from math import cos, sin
+from typing import Any
+
+import numpy as np
+
+from kitemj.mujoco_import import mujoco
+from kitemj.physics.parameters import Parameters
+from kitemj.scene.ground import squares
+from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture
+from kitemj.scene.sky import sky
+from kitemj.scene.sun import land_turn
+
+CELLS = 12  # quadrilaterals along a side of a square
+UNDER = 0.97  # of its inner side: a square begins under the one within, so that no gap shows
+STEP = 0.0005  # of its inner side: how much lower it lies
+
+
+def add_landscape(spec: Any, parameters: Parameters, texels: int) -> None:
+    """Adds the sky, of `texels` across a face, and the ground as the body "land"."""
+    azimuth, length = parameters.wind.azimuth, parameters.lines.length
+    add_texture(spec, "sky", mujoco.mjtTexture.mjTEXTURE_SKYBOX, sky(texels, azimuth))
+    half = land_turn(azimuth) / 2
+    body = spec.worldbody.add_body(name="land", quat=[cos(half), 0.0, 0.0, sin(half)])
+    for k, (inner, outer, image) in enumerate(squares(length, texels)):
+        name = f"ground_{k}"
+        add_texture(spec, name, mujoco.mjtTexture.mjTEXTURE_2D, image)
+        square = _square(UNDER * inner, outer)
+        places = square.vertices[:, 1::-1] / (2 * outer) + 0.5
+        add_mesh(spec, name, square, places)
+        add_shape(body, name, material=name, pos=[0.0, 0.0, -STEP * inner])
+
+
+def _square(inner: float, outer: float) -> Mesh:
+    """A flat square about the origin, its face up, without the square of half side `inner`.
+
+    A mesh, since MuJoCo's plane costs thrice as much where the processor draws.
+    """
+    edge = np.linspace(-outer, outer, CELLS + 1)
+    third = CELLS // 3
+    if inner:
+        edge[[third, 2 * third]] = -inner, inner
+    corners = np.array([(a, b, 0.0) for a in edge for b in edge])
+    middle = range(third, 2 * third) if inner else ()
+    cells = [
+        (i, j) for i in range(CELLS) for j in range(CELLS) if i not in middle or j not in middle
+    ]
+    a = np.array([i * (CELLS + 1) + j for i, j in cells])
+    b, c, d = a + CELLS + 1, a + CELLS + 2, a + 1
+    faces = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+    used, again = np.unique(faces, return_inverse=True)
+    return Mesh(corners[used], again.reshape(faces.shape).astype(np.int32))
