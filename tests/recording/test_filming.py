@@ -28,6 +28,7 @@ from kitemj.pilots.manoeuvres import Land
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
+from kitemj.scene.eye import Eye
 from tests.recording.flights import LOOPS, live_flight, recorded, restless
 
 SMALL = (320, 180)
@@ -190,7 +191,8 @@ def test_two_models_of_one_scenario(tmp_path):
 def test_frames_of_two_processes_are_those_of_one(file):
     source = RecordingSource(read_recording(file))
     stage = Stage((source.parameters,), ("",), SMALL, "pilot", "engineer")
-    shots = [[source.shot(0.3 * i, 1.0)] for i in range(12)]
+    eye, style = Eye(source.parameters), FilmStyle(view="pilot")
+    shots = [[filming._seen(source.shot(0.3 * i, 1.0), eye, style)] for i in range(12)]
     alone = [frame.copy() for frame in painted(stage, shots, 1)]
     together = [frame.copy() for frame in painted(stage, shots, 2)]
     np.testing.assert_array_equal(alone, together)
