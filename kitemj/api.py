@@ -165,8 +165,8 @@ def film(
     `path`: the film, .mp4, .webp or .gif
     `model`: flies a scenario (mujoco), or the input of a recording again, beside it
     `view`: pilot, chase, side, top or orbit
-    `size`: width and height [px]; None: 1280 x 720, or 640 x 360 of a WebP or GIF
-    `rate`: frames/s of the film; None: 30, or 20 of a WebP, 15 of a GIF
+    `size`: width and height [px]; None: 1280 x 720; of a WebP 640 x 360, of a GIF 480 x 270
+    `rate`: frames/s of the film; None: 30; of a WebP 20, of a GIF 12
     `speed`: of the flight on the film, 2: twice as fast as it was
     `turn`: with the view orbit, degrees/s that it goes round the kite, positive to the right
     `title`: over the first 3 s

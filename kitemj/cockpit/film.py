@@ -51,6 +51,7 @@ class Film(Closing):
         self.path, self.width, self.height, self.frames = Path(path), width, height, 0
         check_film(self.path, width, height, rate)
         self._colours: GifColours | None = None
+        self._encoded = 0  # frames, of which some may still be held
         self._file = NewFile(self.path, overwrite)
         try:
             self._begin(str(self._file.part), rate)
@@ -82,11 +83,12 @@ class Film(Closing):
                 f"a frame of shape {frame.shape}, {frame.dtype}, does not fit the film "
                 f"{self.path}: ({self.height}, {self.width}, 3), uint8, is needed"
             )
-        picture: Any = av.VideoFrame.from_ndarray(frame, format="rgb24")
         with held():  # a part of it that is lost would spoil the frames after it
-            picture.pts = self.frames
-            for ready in self._colours.add(picture) if self._colours else [picture]:
-                self._write(ready)
+            if self._colours:
+                ready = self._colours.add(frame)
+            else:
+                ready = [av.VideoFrame.from_ndarray(frame, format="rgb24")]
+            self._encode(ready)
             self.frames += 1
 
     def close(self) -> None:
@@ -96,8 +98,8 @@ class Film(Closing):
         try:
             with held():
                 if self.frames:
-                    for left in [*(self._colours.rest() if self._colours else []), None]:
-                        self._write(left)
+                    self._encode(self._colours.rest() if self._colours else [])
+                    self._write(None)
                 with self._file.naming():
                     self._container.close()
                 if self.frames:
@@ -105,6 +107,11 @@ class Film(Closing):
         finally:
             self._open = False
             self._file.discard()
+
+    def _encode(self, pictures: list[Any]) -> None:
+        for picture in pictures:
+            picture.pts, self._encoded = self._encoded, self._encoded + 1
+            self._write(picture)
 
     def _write(self, picture: Any) -> None:
         """Encodes a picture; None: the film's end. After an error there is no film."""

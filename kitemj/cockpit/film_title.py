@@ -6,19 +6,21 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from kitemj.drawing.text import put, wrapped
+from kitemj.drawing.text import put, width, wrapped
 
 Frame = NDArray[np.uint8]
 SHOWN = 3.0
 """s of the film."""
 FADE = 0.5
 """s in which it comes, and goes."""
-LEFT, FOOT, ROOM = 0.06, 0.76, 0.7
+LEFT, FOOT, ROOM = 0.06, 0.72, 0.66
 """Of the frame: where the lines begin, where the last one stands, how far they may go."""
-DIGIT = 1 / 20
-"""Of the height: that of a digit."""
-SHADE = 0.45
-"""Of the picture's light that is taken away behind the middle of the text."""
+DIGIT = 1 / 24
+"""Of the height, in a frame of 16:9: that of a digit."""
+SHADE = 0.58
+"""Of the picture's light that is taken away behind the text: white is read over white clouds."""
+SOFT = (9.0, 3.5)
+"""Heights of a digit, to the right and up and down, in which that ends."""
 
 
 def titled(frames: Iterable[Frame], title: str, rate: int) -> Iterator[Frame]:
@@ -30,39 +32,33 @@ def titled(frames: Iterable[Frame], title: str, rate: int) -> Iterator[Frame]:
 
 def title_opacity(t: float) -> float:
     """How much of a title is seen `t` [s] after the start: 0 nothing, 1 all of it."""
-    part = min(max(min(t, SHOWN - t) / FADE, 0.0), 1.0)
-    return part * part * (3 - 2 * part)  # it begins and ends softly
+    return float(_eased(min(t, SHOWN - t) / FADE))
 
 
 def with_title(frame: Frame, title: str, opacity: float = 1.0) -> Frame:
     """A copy of the frame (height, width, 3) with `title` over it."""
     height, wide = frame.shape[:2]
     size = DIGIT * min(height, wide * 9 / 16)
-    lines, step, middle = wrapped(title, ROOM * wide, size), 1.9 * size, FOOT * height
-    top = middle - step * (len(lines) - 1)
-    reach = 2.2 * size + step * len(lines)
-    lettered = (frame * _shade(height, wide, (top + middle) / 2, reach, opacity)).astype(np.uint8)
+    lines, step = wrapped(title, ROOM * wide, size), 1.9 * size
+    first = FOOT * height - step * (len(lines) - 1)
+    rule = pygame.Rect(round(LEFT * wide), round(first - size), max(2, round(size / 10)), 0)
+    rule.height = round(FOOT * height + size - rule.top)
+    text = rule.right + 0.8 * size
+    right = text + max(width(line, size) for line in lines)
+    across = _eased(1 - (np.arange(wide) - right - size / 2) / (SOFT[0] * size))
+    beyond = np.maximum(rule.top - np.arange(height), np.arange(height) - rule.bottom)
+    down = _eased(1 - beyond / (SOFT[1] * size))
+    lettered = (frame * (1 - SHADE * opacity * np.outer(down, across))[:, :, None]).astype(np.uint8)
     layer = pygame.Surface((wide, height), pygame.SRCALPHA)
-    rule = pygame.Rect(round(LEFT * wide), round(top - size), max(2, round(size / 10)), 0)
-    rule.height = round(middle + size - rule.top)
     layer.fill((255, 255, 255), rule)
     for number, line in enumerate(lines):
-        put(layer, line, rule.right + size * 0.8, top + number * step, size)
+        put(layer, line, text, first + number * step, size)
     layer.set_alpha(round(255 * opacity))
     pygame.image.frombuffer(lettered.data, (wide, height), "RGB").blit(layer, (0, 0))
     return lettered
 
 
-def _shade(
-    height: int, wide: int, middle: float, reach: float, opacity: float
-) -> NDArray[np.float32]:
-    """What the light is multiplied with (height, width, 1); darkest where the text begins.
-
-    height, wide: px of the frame
-    middle, reach: px, where it is darkest and how far up and down that goes
-    opacity: of the title
-    """
-    rows = np.exp(-(((np.arange(height) - middle) / reach) ** 2))
-    columns = np.clip(1.25 - np.arange(wide) / (ROOM * wide), 0.0, 1.0)
-    dark = SHADE * opacity * rows[:, None] * columns**2
-    return np.asarray(1.0 - dark[:, :, None], np.float32)
+def _eased(part: float | NDArray[np.float64]) -> NDArray[np.float64]:
+    """0 up to 0, 1 from 1 on, and softly from one to the other."""
+    inside = np.clip(part, 0.0, 1.0)
+    return np.asarray(inside * inside * (3 - 2 * inside))

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from kitemj.child import Child
 from kitemj.closing import Closing
 from kitemj.drawing.picture import Picture
+from kitemj.drawing.plates import paint_plate
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.text import put, width
 from kitemj.dynamics.motion import Motion
@@ -30,8 +31,6 @@ from kitemj.scene.views import Camera
 
 Frame = NDArray[np.uint8]
 MOST_WORKERS = 8
-SHADE = (70, 78, 90)  # what the ground of a caption multiplies the picture with
-FOOT = 124  # units above the lower edge: over the strip of instruments
 WORTH_IT = 150
 """Frames; for fewer the start of more processes (2 s) takes longer than painting them."""
 PATIENCE = 60
@@ -179,13 +178,13 @@ def _paint(link: Connection, stage: Stage) -> None:
 
 
 def _write(frame: Frame, caption: str) -> None:
-    """Writes a caption on the right above the strip, in each of two pictures."""
+    """Writes a caption in the middle of the upper edge, where no instrument is."""
     height, wide = frame.shape[:2]
     unit = min(height / 720, wide / 1280)
-    size, room = height / 45, 0.48 * wide
-    size *= min(1.0, 0.92 * room / width(caption, size))
+    size, room = 15 * min(1.6 * unit, height / 720), 0.42 * wide
+    size *= min(1.0, room / width(caption, size))
+    plate = pygame.Rect(0, 0, width(caption, size) + 2 * size, 2.4 * size)
+    plate.midtop = (wide // 2, round(12 * unit))
     surface = pygame.image.frombuffer(frame.data, (wide, height), "RGB")
-    top = height - FOOT * unit - height / 18
-    band = (round(wide - room), round(top), round(room), round(height / 18))
-    surface.fill(SHADE, band, special_flags=pygame.BLEND_MULT)
-    put(surface, caption, wide - room / 2, top + height / 36, size, align=0.5)
+    paint_plate(surface, plate, unit)
+    put(surface, caption, plate.centerx, plate.centery, size, align=0.5)

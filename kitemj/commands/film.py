@@ -24,7 +24,7 @@ def add(parser: Parser) -> None:
     parser.add_argument("--overwrite", action="store_true", help="replace FILE if it exists")
     says = f"one or two of {', '.join(MODELS)}; a recording's input is flown again through it"
     parser.add_argument("--model", metavar="A[,B]", help=says)
-    parser.add_argument("--rate", type=int, help="frames/s, default 30; WebP: 20, GIF: 15")
+    parser.add_argument("--rate", type=int, help="frames/s, default 30; WebP: 20, GIF: 12")
     parser.add_argument("--speed", type=float, default=1.0, help="2: twice as fast as it was")
     parser.add_argument("--from", dest="start", type=float, default=0.0, metavar="S")
     parser.add_argument("--to", dest="end", type=float, metavar="S")
@@ -35,7 +35,7 @@ def add(parser: Parser) -> None:
     parser.add_argument("--turn", type=float, default=0.0, metavar="DEG", help=says)
     says = "how much is shown over the view, default pilot"
     parser.add_argument("--instruments", choices=DEPTHS, default=DEPTHS[0], help=says)
-    add_picture(parser, usual="1280x720; WebP and GIF: 640x360")
+    add_picture(parser, usual="1280x720; WebP: 640x360, GIF: 480x270")
     parser.add_argument("--step", type=float, metavar="S", help="longest step [s], default 0.002")
 
 

@@ -70,6 +70,27 @@ def test_a_film_for_pages_has_all_frames_in_their_colours_and_begins_anew(
             assert np.abs(picture.mean(axis=(0, 1)) - (level, 128, 255 - level)).max() < 12
 
 
+def test_a_thin_red_line_in_a_wide_sky_is_red_in_a_gif(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Few colours for a sky of many, in which the line has one pixel of two thousand."""
+    monkeypatch.setattr(gif_colours, "COLOURS", 16)
+    dice, height, width = np.random.default_rng(1), 120, 160
+    with Film(tmp_path / "kite.gif", width, height, 10) as film:
+        for _ in range(10):
+            cloud = dice.uniform(0.0, 1.0, (height, width, 1))
+            sky = cloud * (255, 255, 255) + (1 - cloud) * (20, 60, 150)
+            sky[40:50, 80] = (200, 20, 30)
+            film.add(sky.astype(np.uint8))
+    shown: Any
+    with Image.open(tmp_path / "kite.gif") as shown:
+        shown.seek(5)
+        red, green, blue = np.asarray(shown.convert("RGB"), float)[40:50, 80].mean(axis=0)
+    # 40 of 255: an eye still calls that red the same
+    assert abs(red - 200) < 40
+    assert max(green - 20, blue - 30) < 40
+
+
 def test_the_index_lies_in_front(tmp_path: Path) -> None:
     with Film(tmp_path / "kite.mp4", WIDTH, HEIGHT) as film:
         film.add(frame(10))

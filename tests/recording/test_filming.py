@@ -12,8 +12,9 @@ import pytest
 
 import kitemj
 from kitemj.cli import main
-from kitemj.cockpit import film_sources, filming
+from kitemj.cockpit import film_sources, film_title, filming
 from kitemj.cockpit.film_sources import RecordingSource
+from kitemj.cockpit.film_title import with_title
 from kitemj.cockpit.filming import FilmStyle, film
 from kitemj.cockpit.parallel_painting import Stage, painted
 from kitemj.cockpit.replay_player import SPEEDS, Player
@@ -34,6 +35,16 @@ from tests.recording.flights import LOOPS, live_flight, recorded, restless
 SMALL = (320, 180)
 SIZE = f"{SMALL[0]}x{SMALL[1]}"
 ROWS = range(0, 301, 10)
+WCAG = 4.5
+
+
+def luminance(rgb):
+    """Relative luminance of sRGB (..., 3) by WCAG 2.1."""
+    c = rgb / 255
+    linear = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
+    return linear @ [0.2126, 0.7152, 0.0722]
+
+
 ANSWER = 0.25
 """s; a slider that is felt to answer at once takes 0.1 s, measured: 0.06 s at 1280 x 720."""
 
@@ -144,8 +155,22 @@ def test_a_title_comes_and_goes_in_the_first_three_seconds(file, monkeypatch, tm
     assert not any(rows.any() for rows in written[30:])
     half, whole = (reel.written[i].max() for i in (2, 15))
     assert 120 < half < whole == 255, "white letters"
-    # over the sky, where the kite is, nothing is changed that an eye sees
-    assert np.abs(reel.written[15][:60].astype(int) - 120).max() < 3
+    assert not any(rows[:60].any() for rows in written), "nothing over the kite in the sky"
+
+
+@pytest.mark.parametrize("size", [(640, 360), (1280, 720), (960, 960)])
+def test_a_title_is_read_over_the_whitest_cloud(monkeypatch, size):
+    """WCAG 2.1: 4.5 to 1, at every pixel of the text's lines."""
+    lines = []
+    monkeypatch.setattr(film_title, "put", lambda *given: lines.append(given[1:5]))
+    cloud = np.full((size[1], size[0], 3), 255, np.uint8)
+    shaded = with_title(cloud, "A title that is longer than one line, and still to be read at once")
+    assert len(lines) == 2
+    for text, x, y, height in lines:
+        rows = slice(int(y - 0.7 * height), int(y + 0.9 * height))
+        behind = shaded[rows, int(x) : int(x) + width(text, height)]
+        assert behind.shape[1] > 50
+        assert 1.05 / (luminance(behind).max() + 0.05) > WCAG
 
 
 def test_a_still_is_the_frame_of_that_moment(file, tmp_path):
