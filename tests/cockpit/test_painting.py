@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 
 from kitemj.cockpit.film_sources import film_source
-from kitemj.cockpit.parallel_painting import Painters, Stage, painted
+from kitemj.cockpit.parallel_painting import Painter, Painters, Stage, painted
+from kitemj.controls.actions import PANELS
 from kitemj.errors import NoGraphics
 
 SOURCE = film_source({"set": "sport", "duration": 0.1})
+SIZE = (1280, 360)
 STAGE = Stage((SOURCE.parameters,), (SOURCE.caption,), (320, 180), "chase", "engineer")
 SHOTS = [[SOURCE.shot(t, 1.0)] for t in (0.0, 0.1)]
 
@@ -30,3 +32,23 @@ def test_painters_that_are_lost_again_and_again_are_a_sentence(
         monkeypatch.setattr(painters, "_painted", lost)
         with pytest.raises(NoGraphics, match="ended from outside, twice"):
             painters.paint(SHOTS[0])
+
+
+def test_captions_stand_where_no_instrument_is() -> None:
+    shot = SHOTS[0][0]
+    stage = Stage(
+        (SOURCE.parameters,) * 2, ("sport: mujoco", "sport: lagrange"), SIZE, "side", depth
+    )
+    with Painter(stage) as painter:
+        for picture in painter._pictures:
+            picture.shown = {*PANELS, "inset"}
+        captioned = painter.paint([shot, shot])
+        written = painter._pictures[0].paint(*shot[:3], "side")
+        painter._pictures[0].depth = "none"
+        bare = painter._pictures[0].paint(*shot[:3], "side")
+    half = captioned[:, : SIZE[0] // 2 - 1]  # a line parts the two
+    caption = (half != written[:, :-1]).any(axis=2)
+    instruments = (written != bare).any(axis=2)[:, :-1]
+    assert caption.sum() > 1000
+    assert instruments.sum() > 1000
+    assert not (caption & instruments).any()
