@@ -25,6 +25,8 @@ from kitemj.recording.file import read_recording
 from kitemj.recording.live import LiveFlight
 from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
+from kitemj.scene.figure import hands
+from kitemj.scene.lines import drawn
 from kitemj.studies.flights import fly, result_columns
 from kitemj.studies.study import study_of
 
@@ -155,6 +157,9 @@ def test_a_picture_has_the_third_line_through_its_points(recording):
     ]
     with Picture(recording.parameters) as picture:
         straight, bent = (picture.paint(each, None, Readings(), "side") for each in flights)
-        x, y = (round(at) for at in picture.pixel(times(0.5, SAGGING)))
+        hand = times(0.5, plus(*hands(recording.parameters, motion)))
+        start, bend, *_ = drawn(flights[1].lines[2], hand)
+        assert start == pytest.approx(hand), "a line beyond two begins between the hands"
+        x, y = (round(at) for at in picture.pixel(times(0.5, plus(start, bend))))
     around = slice(y - 2, y + 3), slice(x - 2, x + 3)
     assert (straight[around] != bent[around]).any()

@@ -7,6 +7,7 @@ from kitemj.flight.limits import touches_ground
 from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.flight.scenario import Scenario
 
+ROUNDING = 1e-9  # s
 MOST = 0.1
 """s; after a longer frame the flight does not catch up."""
 
@@ -26,7 +27,7 @@ class Demonstration:
     def advance(self, wall: float) -> None:
         """Lets `wall` [s] pass."""
         self._left = min(self._left + wall, MOST)
-        while self._left >= TICK:
+        while self._left > TICK - ROUNDING:
             self._left -= TICK
             try:
                 self._flight.tick(self._stick.command(self.motion))

@@ -49,13 +49,15 @@ class Home:
     """Goes from door to door until the title is left.
 
     `kite`: the set to begin with, for which the lessons are; `size` [px] of the picture; `sound`:
-    whether it is heard and felt.
+    whether it is heard and felt; `quality` as a picture's.
     """
 
-    def __init__(self, doors: Doors, kite: str, size: tuple[int, int], sound: bool) -> None:
+    def __init__(
+        self, doors: Doors, kite: str, size: tuple[int, int], sound: bool, quality: str
+    ) -> None:
         self._doors, self._kite, self._lessons_kite = doors, kite, kite
-        self._size, self._marked, self._message = size, "", ""
-        self._kept = Kept(Picture(doors.scenario(kite).parameters, *size), sound)
+        self._size, self._quality, self._marked, self._message = size, quality, "", ""
+        self._kept = Kept(Picture(doors.scenario(kite).parameters, *size, quality), sound)
 
     def run(self, launched: Child) -> int:
         """Until it is left; returns the exit status of the last flight. `launched`: the first's."""
@@ -130,7 +132,7 @@ class Home:
         """The picture that is kept, made anew where it is of another kite."""
         if parameters != self._kept.picture.parameters:
             self._kept.picture.close()
-            self._kept.picture = Picture(parameters, *self._size)
+            self._kept.picture = Picture(parameters, *self._size, self._quality)
         return self._kept.picture
 
 

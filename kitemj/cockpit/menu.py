@@ -57,11 +57,6 @@ class Menu:
         elif action == "leave":
             self.chosen = "leave"
 
-    def point(self, index: int) -> None:
-        """Marks the entry at `index`, if it is open."""
-        if self.entries[index].open:
-            self.marked = index
-
     def _move(self, by: int) -> None:
         """Marks the next open entry, around and around."""
         for _ in self.entries:

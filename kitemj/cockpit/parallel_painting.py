@@ -65,7 +65,7 @@ class Painter(Closing):
     def __init__(self, stage: Stage) -> None:
         self._stage = stage
         across = stage.size[0] // len(stage.parameters)
-        self._pictures = [Picture(each, across, stage.size[1]) for each in stage.parameters]
+        self._pictures = [Picture(each, across, stage.size[1], "film") for each in stage.parameters]
         for picture in self._pictures:
             picture.depth = stage.instruments
 

@@ -17,7 +17,7 @@ WHITE, DIM = (255, 255, 255), (205, 212, 220)
 BAD, CALL = (255, 70, 60), (255, 214, 60)
 BUTTON = 48  # px on the left that play and pause
 TIMES = 250  # px on the right for the numbers
-HINT, GAP = 12, " " * 5  # px, of the hints' digits; between two hints
+HINT, GAP = 11, " " * 4  # px, of the hints' digits; between two hints
 
 
 class Slider:

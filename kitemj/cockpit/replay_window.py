@@ -14,7 +14,6 @@ from kitemj.cockpit.screens import (
     Window,
     change_fullness,
     fitting,
-    full,
     put_in_window,
 )
 from kitemj.controls.actions import REPLAY_BUTTONS, REPLAY_HELP, VIEWS
@@ -36,7 +35,7 @@ def show(recording: Recording, again: Replay | None, size: tuple[int, int], view
     InputError before a window opens.
     """
     settings, _ = settings_or_defaults()
-    with Picture(recording.parameters, *fitting(size, HEIGHT)) as picture:
+    with Picture(recording.parameters, *fitting(size, HEIGHT), "auto") as picture:
         person = PersonStick(settings, recording.parameters)
         window = Window(picture.width, picture.height + HEIGHT, "kitemj", person)
         window.wishes.view, window.wishes.sound = view, settings.sound
@@ -62,22 +61,19 @@ class ReplayWindow:
         self._window, self.view = window, window.wishes.view
         self._tick = recording.header.tick
         self.player = Player(self._source.duration)
-        beyond = np.logical_or.reduce([recording.columns[name] for name in LIMITS])
-        starts = [episode.start for episode in recording.episodes]
-        self._slider = Slider(beyond, starts, picture.width)
-        self._whole = pygame.Surface((picture.width, picture.height + HEIGHT))
-        self._place = self._whole.get_rect()
+        self._beyond = np.logical_or.reduce([recording.columns[name] for name in LIMITS])
+        self._starts = [episode.start for episode in recording.episodes]
         self.leaving = self.help = False
-        self._shown: tuple[object, ...] | None = None
+        self._lay_out()
 
     def run(self, meanwhile: Callable[[], object] = lambda: None) -> None:
         """Plays until it is left; paints only what has changed. Calls `meanwhile` each frame."""
-        clock, title = pygame.time.Clock(), pygame.display.get_caption()[0]
+        picture, clock = self._picture, pygame.time.Clock()
+        caption, trail = pygame.display.get_caption()[0], picture.whole_trail
         pygame.display.set_caption(f"kitemj: {self._source.caption}")
-        pictured = (self._picture.width, self._picture.height)
-        grown = not full() and pygame.display.get_window_size() == pictured
-        if grown:  # by the strip
-            pygame.display.set_mode(self._whole.get_size(), pygame.RESIZABLE)
+        picture.whole_trail = True
+        self._window.fit(picture, HEIGHT, at_once=True)
+        self._lay_out()
         while not self.leaving:
             wall = clock.tick(FRAME_RATE) / 1000
             meanwhile()
@@ -85,9 +81,17 @@ class ReplayWindow:
             if not self.help:
                 self.player.advance(wall)
             self.paint()
-        if grown and pygame.display.get_window_size() == self._whole.get_size():
-            pygame.display.set_mode(pictured, pygame.RESIZABLE)
-        pygame.display.set_caption(title)
+        picture.whole_trail = trail
+        self._window.fit(picture, at_once=True)
+        pygame.display.set_caption(caption)
+
+    def _lay_out(self) -> None:
+        """Begins with a strip below a picture of its present size."""
+        size = self._picture.width, self._picture.height + HEIGHT
+        self._slider = Slider(self._beyond, self._starts, self._picture.width)
+        self._whole = pygame.Surface(size)
+        self._place = self._whole.get_rect()
+        self._shown: tuple[object, ...] | None = None
 
     def poll(self) -> None:
         """Does what keys, buttons and the mouse say."""
@@ -107,6 +111,8 @@ class ReplayWindow:
                 self._picture.eye.zoom(1.1**event.y)
             elif event.type in (pygame.VIDEORESIZE, pygame.VIDEOEXPOSE):
                 self._shown = None
+        if self._window.fit(self._picture, HEIGHT):
+            self._lay_out()
 
     def paint(self) -> None:
         """Paints the picture of the present moment, and the strip below it."""
@@ -119,7 +125,7 @@ class ReplayWindow:
             return
         self._shown = state
         readings = readings._replace(help=REPLAY_HELP if self.help else ())
-        picture.shown = window.wishes.shown
+        picture.depth, picture.shown = window.wishes.depth, window.wishes.shown
         frame = picture.paint(motion, reference, readings, self.view)
         size = (picture.width, picture.height)
         self._whole.blit(pygame.image.frombuffer(frame.data, size, "RGB"), (0, 0))

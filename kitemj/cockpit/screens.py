@@ -13,7 +13,7 @@ from kitemj.controls.actions import Wishes
 from kitemj.controls.keys import KEYS
 from kitemj.controls.pads import events
 from kitemj.controls.stick import PersonStick, Stick
-from kitemj.drawing.picture import LEAST
+from kitemj.drawing.picture import LEAST, Picture
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.crash import Touch
@@ -223,6 +223,19 @@ class Window(Screen):
     ) -> None:
         """Lets the person hear and feel the motion, unless they wish not to."""
         self._senses.feel(parameters, motion, touch, self.wishes.sound and moving)
+
+    def fit(self, picture: Picture, below: int = 0, at_once: bool = False) -> bool:
+        """Has the picture fill the window above `below` [px], once that rests; whether it changed.
+
+        `at_once`: now, whether the window rests or not.
+        """
+        wide, tall = pygame.display.get_window_size()
+        room = (wide, tall - below)
+        size = shaped(room) if at_once else self._resting.rested(room)
+        if size is None or size == (picture.width, picture.height):
+            return False
+        picture.resize(*size)
+        return True
 
     def show(self, frame: Frame, wall: float) -> None:
         """Puts the frame on the screen."""

@@ -14,10 +14,10 @@ from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.vectors import cross, plus, times
-from kitemj.scene.views import Camera, Orbit, orbiting
+from kitemj.scene.views import Camera, Orbit, looking, orbiting
 
 PACE = 0.12  # rad/s of the eye's swing about the kite
-SWING, RISE = 0.5, 0.12  # rad, to the sides; about the kite's level
+SWING, BELOW, RISE = 0.5, 0.22, 0.1  # rad, to the sides; below the kite, so that it has sky behind
 AWAY = 3.2  # spans
 ASIDE = 0.3  # rad by which the eye looks past the kite, which leaves the left to the text
 PUSHED, LET_GO = 0.6, 0.3  # of a stick's way: it asks for a step; it may ask again
@@ -38,6 +38,7 @@ class Title:
     def run(self) -> str:
         """Returns the key of what was chosen; "leave" for none."""
         clock = pygame.time.Clock()
+        self._window.fit(self._picture, at_once=True)
         self.paint()
         while not self._menu.chosen:
             wall = clock.tick(FRAME_RATE) / 1000
@@ -59,11 +60,12 @@ class Title:
             elif event.type in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN):
                 self._point(event)
         self._push()
+        self._window.fit(self._picture)
 
     def paint(self) -> None:
         """Paints the kite, and the page over it."""
         picture, motion = self._picture, self._show.motion
-        picture.shown = set()
+        picture.depth = "none"
         self._window.sense(picture.parameters, motion, None, moving=True)
         frame = picture.paint(motion, None, Readings(), self._camera(motion))
         surface = pygame.image.frombuffer(frame.data, (picture.width, picture.height), "RGB")
@@ -73,11 +75,11 @@ class Title:
     def _camera(self, motion: Motion) -> Camera:
         """An eye that swings about the kite, which it has on its right."""
         parameters, t = self._picture.parameters, PACE * self._t
-        orbit = Orbit(SWING * sin(t), RISE * cos(0.7 * t), AWAY * parameters.kite.span)
+        orbit = Orbit(SWING * sin(t), RISE * cos(0.7 * t) - BELOW, AWAY * parameters.kite.span)
         camera = orbiting(parameters, motion, orbit)
         right = cross(camera.forward, camera.up)
         ahead = plus(times(cos(ASIDE), camera.forward), times(-sin(ASIDE), right))
-        return camera._replace(forward=ahead)
+        return looking(camera.position, plus(camera.position, ahead))._replace(near=camera.near)
 
     def _ask(self, action: str) -> None:
         if action == "full screen":
@@ -92,10 +94,10 @@ class Title:
         scale = self._picture.width / self._place.width
         x, y = ((event.pos[i] - self._place.topleft[i]) * scale for i in (0, 1))
         found = pygame.Rect(x, y, 1, 1).collidelist(self._boxes)
-        if found < 0:
+        if found < 0 or not self._menu.entries[found].open:
             return
-        self._menu.point(found)
-        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1 and self._menu.entry.open:
+        self._menu.marked = found
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             self._menu.ask("choose")
 
     def _push(self) -> None:

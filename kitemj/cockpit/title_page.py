@@ -12,10 +12,11 @@ from kitemj.drawing.text import put, width, wrapped
 NAME, SAYS = "kitemj", "a kite on two lines, in your hands"
 HINT = "Arrows, pad or mouse.   Enter or A: choose   Esc: leave"
 LEFT = 92  # units of a frame of 720 rows, as all sizes here
-NAME_ROW, SAYS_ROW, FIRST_ROW, STEP, HINT_ROW = 138, 212, 304, 66, 676
+NAME_ROW, SAYS_ROW, FIRST_ROW, STEP, TOLD_ROW, HINT_ROW = 138, 212, 312, 56, 606, 676
 LARGE, USUAL, SMALL, LEAST = 74, 26, 17, 11  # heights of digits; px that the smallest takes
 SHUT: Colour = (150, 158, 168)
-DARK, SHADED = 0.80, 0.62
+ROOM = 0.38  # of the width, for what is told
+DARK, SHADED = 0.82, 0.66
 """How much of the light the page takes at its left edge; the part of the width where it ends."""
 
 
@@ -33,13 +34,12 @@ def paint_title(surface: pygame.Surface, menu: Menu, message: str = "") -> list[
     for i, entry in enumerate(menu.entries):
         row = (FIRST_ROW + STEP * i) * unit
         _entry(surface, entry, row, unit, i == menu.marked)
-        wide = 0.4 * surface.get_width()
-        boxes.append(
-            pygame.Rect(0, round(row - 0.4 * STEP * unit), round(wide), round(STEP * unit))
-        )
+        wide, tall = round(ROOM * surface.get_width()), round(STEP * unit)
+        boxes.append(pygame.Rect(0, round(row - tall / 2), wide, tall))
     put(surface, HINT, LEFT * unit, HINT_ROW * unit, max(15 * unit, LEAST), DIM)
-    for i, line in enumerate(wrapped(message, surface.get_width() * 0.5, small)):
-        put(surface, line, LEFT * unit, (HINT_ROW - 60) * unit + 1.5 * i * small, small, CALL)
+    told, colour = (message, CALL) if message else (menu.entry.says, WHITE)
+    for i, line in enumerate(wrapped(told, ROOM * surface.get_width(), small)):
+        put(surface, line, LEFT * unit, TOLD_ROW * unit + 1.5 * i * small, small, colour)
     return boxes
 
 
@@ -47,8 +47,8 @@ def _entry(surface: pygame.Surface, entry: Entry, row: float, unit: float, marke
     size, colour = USUAL * unit, WHITE if marked else DIM if entry.open else SHUT
     left = LEFT * unit
     if marked:
-        bar = pygame.Rect(0, 0, round(5 * unit), round(52 * unit))
-        bar.midleft = (round(left - 26 * unit), round(row + 10 * unit))
+        bar = pygame.Rect(0, 0, round(5 * unit), round(36 * unit))
+        bar.midleft = (round(left - 26 * unit), round(row))
         surface.fill(CALL, bar)
     put(surface, entry.label, left, row, size, colour)
     x = left + width(entry.label, size) + 22 * unit
@@ -59,8 +59,6 @@ def _entry(surface: pygame.Surface, entry: Entry, row: float, unit: float, marke
             feet = [(x_tip - 5 * way * unit, row + dy * unit) for dy in (-8, 8)]
             pygame.draw.polygon(surface, shade, [tip, *feet])
         put(surface, entry.offered, x + 22 * unit, row, size, colour)
-    if marked and entry.says:
-        put(surface, entry.says, left + 1, row + 31 * unit, max(15 * unit, LEAST), DIM)
 
 
 def _spaced(surface: pygame.Surface, text: str, x: float, y: float, height: float) -> None:

@@ -17,6 +17,7 @@ from kitemj.errors import InputError
 LEAST_SIDE, MOST_SIDE = 16, 8192
 """px; of a picture: below, nothing shows; beyond, neither H.264 nor graphics cards go along."""
 MODELS = tuple(REGISTRY.shipped)
+QUALITY_NAMES = ("auto", "low", "medium", "high")
 SCENARIO = "a scenario file (TOML), or the name of one that ships: steer_200m"
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import (
     MODELS,
+    QUALITY_NAMES,
     SCENARIO,
     Parser,
     add_picture,
@@ -64,6 +65,8 @@ def add(parser: Parser) -> None:
     parser.add_argument("--no-record", action="store_true", help="leave no recording")
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     add_picture(parser)
+    says = "of the picture; auto: what this machine paints at 30 frames/s"
+    parser.add_argument("--quality", choices=QUALITY_NAMES, default="auto", help=says)
     add_step(parser)
 
 
@@ -123,7 +126,9 @@ def _from_title(args: argparse.Namespace, launched: "Child") -> int:
         return len(read_progress().passed.intersection(keys)), len(keys)
 
     sound = settings_or_defaults()[0].sound
-    return Home(Doors(scenario, window, fly, passed), args.kite, pixels, sound).run(launched)
+    return Home(Doors(scenario, window, fly, passed), args.kite, pixels, sound, args.quality).run(
+        launched
+    )
 
 
 def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None) -> int:
@@ -187,7 +192,7 @@ def _fly_in_window(
     from kitemj.drawing.picture import Picture
 
     pixels = fitting(size(args.size))
-    own = nullcontext(kept.picture) if kept else Picture(scenario.parameters, *pixels)
+    own = nullcontext(kept.picture) if kept else Picture(scenario.parameters, *pixels, args.quality)
     with own as picture:
         physics.wait()
         screen = _window(scenario, pixels, programme)
@@ -195,7 +200,8 @@ def _fly_in_window(
         if kept:
             screen.wishes.sound = kept.sound
         try:
-            return fly(physics, picture, screen, args.duration, args.called, course)
+            called = None if kept else args.called
+            return fly(physics, picture, screen, args.duration, called, course)
         finally:
             if kept:
                 kept.sound = screen.wishes.sound

@@ -86,7 +86,7 @@ def paint_arrows(panel: Panel, parameters: Parameters) -> None:
     for text, colour in (("air", CALL), ("weight", WHITE), ("left", LEFT), ("right", RIGHT)):
         panel.bar(x, 40, 10, 10, colour)
         panel.text(text, x + 14, 45, NAME, WHITE)
-        x += 14 + panel.wide(text) + 6
+        x += 14 + panel.wide(text) + 9
 
 
 def _sided(azimuth: float) -> str:

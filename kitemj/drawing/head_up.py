@@ -59,7 +59,15 @@ def paint_head_up(
 def _pull(
     panel: Panel, limits: Limits, scale: Scale, line: LineState, side: int, colour: Colour
 ) -> None:
-    """Paints a line's bar with its letter and number; `side` 0 is left, 1 right."""
+    """Paints a line's bar with its letter and number.
+
+    panel: the plate
+    limits: of the set that flies
+    scale: of the bar
+    line: its state
+    side: 0 is left, 1 right
+    colour: of the bar
+    """
     tension, letter = line.tension_kite, "LR"[side]
     slack = line.length - norm(line.points[-1]) > HANGS or not SLACK.kept(
         limits, Numbers((tension,))

@@ -6,14 +6,16 @@ Both lie at the foot of the picture, below the kite's usual place.
 import pygame
 
 from kitemj.drawing.colours import CALL, DIM, GOOD, LEFT, RIGHT, TROUGH, WHITE, Colour
-from kitemj.drawing.panel import NAME, Panel
+from kitemj.drawing.panel import Panel
 from kitemj.drawing.text import width, wrapped
 from kitemj.pilots.course import LessonStatus
 from kitemj.pilots.crash import Touch
 
 HEIGHT, CARD_EDGE = 116, 16  # units
 GAP = 10  # units between things that lie above one another
-SIZES = (22, 20, 18, 16, 15)  # of the advice, the first that fits in two lines
+SIZES = ((1, 20), (1, 18), (2, 20), (2, 18), (2, 16))
+"""Lines that an advice takes at most, and its digits [units]: the first that fits."""
+SMALL = 16.0  # units, digits of the rest
 LEADING = 1.5  # of lines, in digit heights
 ARROWS = 84  # units at either end, for which way the stick should go
 CHEVRONS = (0.1, 0.3, 0.7)  # of the stick's way, from which on each is lit
@@ -30,8 +32,8 @@ def paint_lesson(
     panel.ground()
     middle, inner = panel.width / 2, panel.width - 2 * ARROWS
     number = f"Lesson {lesson.number} of {lesson.total}: " if lesson.number else ""
-    panel.text(number + lesson.title, 16, 20, NAME, DIM)
-    panel.text(HINT, panel.width - 16, 20, NAME, DIM, 1)
+    panel.text(number + lesson.title, 16, 20, SMALL, DIM)
+    panel.text(HINT, panel.width - 16, 20, SMALL, DIM, 1)
     advice = f"{lesson.advice}. {FLY_AGAIN}" if lesson.down else lesson.advice
     size, lines = _fitting(advice, inner, unit)
     colour = GOOD if lesson.praised else WHITE
@@ -51,10 +53,10 @@ def beside(room: pygame.Rect, box: pygame.Rect, unit: float) -> pygame.Rect:
 
 
 def _fitting(text: str, inner: float, unit: float) -> tuple[float, tuple[str, ...]]:
-    """The largest size [units] in which `text` takes two lines, or the smallest; the lines."""
-    for size in SIZES:
+    """The size [units] in which `text` fits into the `inner` [units] of a lesson; its lines."""
+    for most, size in SIZES:
         lines = wrapped(text, inner * unit, size * unit)
-        if len(lines) <= 2:
+        if len(lines) <= most:
             break
     return size, lines
 
@@ -112,7 +114,7 @@ def _card(touch: Touch, advice: str, inner: float, unit: float) -> list[tuple[st
     guess = "" if touch.gentle else f" ({touch.reason})"
     said = (
         (touch.damage, 22.0, GOOD if touch.gentle else CALL),
-        (f"First the {touch.part}, {touch.pace}, {touch.place}{guess}", 16.0, WHITE),
+        (f"First the {touch.part}, {touch.pace}, {touch.place}{guess}", SMALL, WHITE),
         (advice, 18.0, CALL),
     )
     return [

@@ -1,6 +1,7 @@
 """One frame: a main view, a small other view, and the instruments over both."""
 
 from math import atan2, cos, radians, sin
+from time import perf_counter
 
 import numpy as np
 import pygame
@@ -23,12 +24,14 @@ from kitemj.physics.vectors import Vector, norm, plus, times
 from kitemj.physics.wind import wind_velocity
 from kitemj.scene import views
 from kitemj.scene.eye import Eye
+from kitemj.scene.quality import QualityChooser, quality_of
 from kitemj.scene.renderer import Renderer
 from kitemj.scene.scenery import RINGS, ring_step
 from kitemj.scene.views import Camera
 
 RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0, "top": 38.0}  # deg, right of downwind
 LEAST = (320, 180)  # px
+FRAME_RATE = 30  # frames/s that a quality must reach to be chosen
 TRAIL = 5.0  # px of 720 rows
 SHORT, SUBTLE = 2.5, 0.45  # s of the trail that a pilot sees, and its opacity
 CLEAR = 0.5  # spans around the kite without a trail
@@ -43,15 +46,26 @@ class Picture(Closing):
     sees all of the trail too. Anyone may change these between frames.
     """
 
-    def __init__(self, parameters: Parameters, width: int = 1280, height: int = 720) -> None:
-        """Frames of `width` x `height` pixels; InputError below 320 x 180."""
+    def __init__(
+        self,
+        parameters: Parameters,
+        width: int = 1280,
+        height: int = 720,
+        quality: str = "high",
+    ) -> None:
+        """Frames of `width` x `height` pixels; InputError below 320 x 180.
+
+        `quality`: a name of QUALITIES; "auto" lets the first second of frames choose
+        """
         _check(width, height)
+        self._chooser = QualityChooser(FRAME_RATE) if quality == "auto" else None
         self.parameters, self.width, self.height = parameters, width, height
         self.depth, self.shown, self.whole_trail = DEPTHS[0], set(INSTRUMENTS), False
         self.eye = Eye(parameters)
         self._camera: Camera | None = None
         self._inset_camera: Camera | None = None
-        self._renderer = Renderer(parameters, width, height)
+        first = self._chooser.quality if self._chooser else quality_of(quality)
+        self._renderer = Renderer(parameters, width, height, first)
         self._instruments = Instruments(parameters, width, height)
         self._pulls = scale_of(parameters)
 
@@ -81,10 +95,11 @@ class Picture(Closing):
         if self.depth not in DEPTHS:
             told = ", ".join(DEPTHS)
             raise InputError(f"there are no instruments {self.depth!r}; there are: {told}")
-        name = view if isinstance(view, str) else ""
+        name, begun = view if isinstance(view, str) else "", perf_counter()
         self._camera = self.eye.look(motion, view) if isinstance(view, str) else view
         shown = self.shown if self.depth == "engineer" else set()
         self._inset_camera, forces = None, "forces" in shown
+        self._renderer.scene.rings = "labels" in shown
         self._renderer.render(motion, reference, self._camera, forces)
         if "inset" in shown:
             # the kite from near; all, if the main view is near
@@ -94,6 +109,9 @@ class Picture(Closing):
             self._renderer.render(motion, reference, self._inset_camera, forces, box)
         frame = self._renderer.frame()
         self._letter(frame, motion, readings, shown, name)
+        if self._chooser:
+            self._chooser.painted(perf_counter() - begun)
+            self._renderer.quality = self._chooser.quality
         return frame
 
     def pixel(self, p_E: Vector) -> tuple[float, float]:
@@ -157,12 +175,24 @@ class Picture(Closing):
             paint_trail(surface, places, usable, inset, 2 * unit, hues)
 
     def _labels(self, surface: pygame.Surface, motion: Motion, view: str) -> None:
-        """Writes the wind's speed at its arrow, the rings' distances; where there is room."""
+        """Writes the wind's speed and the rings' distances, where there is room."""
         assert self._camera is not None
-        close = self._camera.near
         taken = [*self._instruments.taken]
         if self._inset_camera:
             taken.append(self._instruments.box("inset"))
+        if "forces" in self.shown:
+            self._label_wind(surface, motion, view, taken)
+        step = ring_step(self.parameters.lines.length)
+        for k in range(1, RINGS + 1):
+            place = times(k * step, self._ring_direction(view))
+            self._label(surface, place, f"{k * step:g} m", (0.0, -15.0), 0.5, taken)
+
+    def _label_wind(
+        self, surface: pygame.Surface, motion: Motion, view: str, taken: list[pygame.Rect]
+    ) -> None:
+        """Writes the wind's speed at its arrow, where there is room."""
+        assert self._camera is not None
+        close = self._camera.near
         tail, tip = self._renderer.scene.wind_arrow(motion, close)
         aside, align = (0.0, 34.0), 0.5 if close or view == "side" else 1.0
         if not close and view != "side":
@@ -172,10 +202,6 @@ class Picture(Closing):
         if not self._label(surface, tail, wind, aside, align, taken):
             middle = times(0.5, plus(tail, tip))
             self._label(surface, middle, wind, (44.0, 14.0), 0.0, taken)
-        step = ring_step(self.parameters.lines.length)
-        for k in range(1, RINGS + 1):
-            place = times(k * step, self._ring_direction(view))
-            self._label(surface, place, f"{k * step:g} m", (0.0, -15.0), 0.5, taken)
 
     def _ring_direction(self, view: str) -> Vector:
         """The direction from O_E in which rings have their labels: beside what matters."""

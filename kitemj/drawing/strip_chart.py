@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.drawing.colours import ALARM, CALL, GOOD, TROUGH, WHITE, Colour
+from kitemj.drawing.colours import ALARM, CALL, GOOD, INK, WHITE, Colour
 from kitemj.drawing.history import CHART_COLUMNS, Traces
 from kitemj.drawing.panel import NUMBER, Panel
 from kitemj.flight.live import TICK
@@ -28,7 +28,7 @@ def paint_chart(panel: Panel, traces: Traces | None, missed_ticks: int, lateness
     panel.text("ticks missed", LEFT, 20)
     number = CALL if missed_ticks else WHITE
     panel.text(f"{missed_ticks}", WIDTH - 14, 20, NUMBER, number, 1)
-    panel.bar(LEFT, TOP, WIDE, BOTTOM - TOP, TROUGH)
+    panel.bar(LEFT, TOP, WIDE, BOTTOM - TOP, INK)
     late = traces.lateness if traces else np.full(CHART_COLUMNS, np.nan)
     frames = traces.frame_time if traces else np.full(CHART_COLUMNS, np.nan)
     edges = np.flatnonzero(np.diff(late > TICK, prepend=False, append=False))

@@ -8,9 +8,9 @@ from kitemj.drawing.panel import Panel
 from kitemj.drawing.plates import NOW, QUIET
 from kitemj.drawing.text import width, wrapped
 
-PAD, LEADING = 13, 1.62  # units around the words; of lines, in digit heights
+PAD, LEADING = 12, 1.5  # units around the words; of lines, in digit heights
 SIGN = 34  # units left of the words, for the sign
-LOUD, PLAIN = 19.0, 16.0  # units, digits of what to do and of the rest
+LOUD, PLAIN = 18.0, 16.0  # units, digits of what to do and of the rest
 
 
 def paint_message(
@@ -65,7 +65,16 @@ def _paint(
     alarm: int = QUIET,
     sign: float = 0.0,
 ) -> pygame.Rect:
-    """Paints lines (text, digit height [units], colour, bold), right of a `sign` [units] wide."""
+    """Paints a plate with lines, and returns its box [px].
+
+    surface: the frame
+    room: px, where it may be
+    unit: px, the size of a unit
+    lines: text, height of a digit [units], colour, whether it is bold
+    top: whether it stands at the top of `room` or at its foot
+    alarm: how loud it is
+    sign: units, room for a sign before the lines; 0: there is none
+    """
     wide = max(width(text, size * unit, bold) for text, size, _, bold in lines) / unit
     wide += 2 * PAD + sign
     tall = sum(LEADING * size for _, size, *_ in lines) + 2 * PAD - 6

@@ -76,7 +76,7 @@ SLACK = Limit(
 STALL = Limit(
     "stall",
     "the angle of attack is outside 0 < α < α_stall",
-    "ease the stick and let it gather speed",
+    "ease the stick, let it gather speed",
     lambda limits, now: (now.alpha > 0.0) & (now.alpha < limits.alpha_stall),
     lambda limits, now: f"α = {_deg(now.alpha, '.2f')}, α_stall = {_deg(limits.alpha_stall)}",
     lambda limits, now: now.alpha / limits.alpha_stall,
@@ -84,7 +84,7 @@ STALL = Limit(
 SIDESLIP = Limit(
     "sideslip",
     "the sideslip angle is beyond β_max",
-    "ease the stick until it flies where it points",
+    "ease the stick",
     lambda limits, now: abs(now.beta) < limits.beta_max,
     lambda limits, now: f"β = {_deg(now.beta, '.2f')}, β_max = {_deg(limits.beta_max)}",
     lambda limits, now: abs(now.beta) / limits.beta_max,
@@ -92,7 +92,7 @@ SIDESLIP = Limit(
 OVERLOAD = Limit(
     "overload",
     "a line carries more than it may",
-    "let line out, or steer to the edge of the wind",
+    "let line out, or steer to the side",
     lambda limits, now: reduce(and_, [pull <= limits.tension_max for pull in now.tensions]),
     lambda limits, now: f"{max(now.tensions):.0f} N of {limits.tension_max:.0f} N",
     lambda limits, now: np.max(now.tensions, axis=0) / limits.tension_max,

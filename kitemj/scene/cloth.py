@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array
 
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.vectors import Vector
 
 Colour = tuple[float, float, float]
 RED: Colour = (0.88, 0.09, 0.11)  # the pilot's left, A₊
@@ -36,16 +36,16 @@ class Cloth(NamedTuple):
     """A kite for the eye. `shape` gives the vertices [m, B] of a fill, `faces` (m, 3) index them.
 
     `places` (n, 2) of the vertices are in `image` (rows, columns, 3), 0..1 from its first corner
-    across and down. `rods` are the frame's, from end to end; `bridle` has the points on the sail to
-    which the lines of one side go, by the side (+1 left, -1 right).
+    across and down. `rods` (k, 2, 3) [m, B] are the frame's, from end to end; `bridle` (k, 3) the
+    points on the sail where its legs end, those with y > 0 from A₊, with y < 0 from A₋.
     """
 
     shape: Callable[[Fill], Points]
     faces: NDArray[np.int32]
     places: NDArray[np.float64]
     image: NDArray[np.uint8]
-    rods: Callable[[Fill], list[tuple[Vector, Vector]]]
-    bridle: Callable[[Fill, float], list[Vector]]
+    rods: NDArray[np.float64]
+    bridle: Points
 
 
 def fill_of(parameters: Parameters, motion: Motion) -> Fill:
@@ -67,28 +67,32 @@ def usual_force(parameters: Parameters) -> float:
     return max(weight + 0.15 * parameters.environment.air_density * kite.area * V * V, 1e-6)
 
 
-def sheet(rows: int, columns: int, closed: bool = False) -> NDArray[np.int32]:
-    """Triangles of a grid of `rows` x `columns` vertices; `closed`: the last row meets the first.
+def sheet(rows: int, columns: int) -> NDArray[np.int32]:
+    """Triangles of a grid of `rows` x `columns` vertices.
 
     The face is where rows, columns and the way outside make a right hand.
     """
-    i, j = np.meshgrid(np.arange(rows if closed else rows - 1), np.arange(columns - 1))
+    i, j = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1))
     a = (i * columns + j).ravel()
-    c = ((i + 1) % rows * columns + j).ravel()
+    c = a + columns
     both = np.concatenate([np.stack([a, c, c + 1], 1), np.stack([a, c + 1, a + 1], 1)])
     return both.astype(np.int32)
 
 
-def normals(points: Points, faces: NDArray[np.int32]) -> Points:
-    """Unit normals at the vertices: the mean of the faces around, by their size."""
-    a, b, c = (points[faces[:, k]] for k in range(3))
-    across = np.cross(b - a, c - a)
-    total = np.zeros_like(points)
-    for k in range(3):
-        for axis in range(3):
-            total[:, axis] += np.bincount(faces[:, k], across[:, axis], len(points))
-    unit: Points = total / np.maximum(np.linalg.norm(total, axis=1), 1e-12)[:, None]
-    return unit
+class Normals:
+    """Unit normals at the vertices of a mesh: the mean of the faces around, by their size."""
+
+    def __init__(self, faces: NDArray[np.int32]) -> None:
+        self._corners = faces.T
+        ones, each = np.ones(faces.size), np.repeat(np.arange(len(faces)), 3)
+        self._around = csr_array((ones, (faces.ravel(), each)))
+
+    def of(self, points: Points) -> Points:
+        """Of vertices (n, 3) in any frame."""
+        a, b, c = (points[corner] for corner in self._corners)
+        total = self._around @ np.cross(b - a, c - a)
+        unit: Points = total / np.maximum(np.linalg.norm(total, axis=1), 1e-12)[:, None]
+        return unit
 
 
 def dyed(image: NDArray[np.float64], where: NDArray[np.bool_], colour: Colour) -> None:

@@ -21,8 +21,10 @@ BEND = 1.09  # of the leading edge: 1 is straight
 DIHEDRAL = 0.05  # how far the tips are behind the nose, as the pilot sees it, in spans
 STANDOFFS = (0.2, 0.43)  # in half spans
 CROSS, UPPER, LOWER = 0.60, 0.30, 0.70  # spreaders: on the spine, and on the leading edges
-BELLY, SLACK_BELLY = 0.085, 0.02  # depth in spans, when full and when slack
-FLUTTER = 0.022  # of a slack sail's edge, in spans
+BELLY, SLACK_BELLY = 0.11, 0.015  # depth in spans, when full and when slack
+HELD = 0.6  # the fill for which the standoffs are long enough
+FRONT = 0.008  # of the frame before the sail, in spans
+FLUTTER = 0.03  # of a slack sail's edge, in spans
 BEATS, WAVES = 5.0, 2.3  # 1/s; along half the span
 ACROSS, ALONG = 14, 8  # quadrilaterals of one half, and from edge to edge
 TEXELS = (256, 512)
@@ -73,14 +75,14 @@ def delta(kite: Kite) -> Cloth:
         both,
         np.concatenate([places, places]),
         _panels(),
-        lambda fill: _rods(plan, fill),
-        lambda fill, side: _knots(plan, side),
+        _rods(plan),
+        np.concatenate([_knots(plan, side) for side in (1.0, -1.0)]),
     )
 
 
 def point(kite: Kite, across: float, along: float) -> Vector:
     """Point [m, B] of the flat sail: `across` -1 to 1 (A₊), `along` 0 (leading edge) to 1."""
-    return _at(outline(kite), across, along)
+    return Vector(*map(float, _at(outline(kite), across, along)))
 
 
 def _trailing(u: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -120,36 +122,34 @@ def _filled(
     return points
 
 
-def _at(plan: Outline, u: float, v: float) -> Vector:
-    return Vector(*map(float, _flat(plan, np.array([u]), np.array([v]))[0]))
+def _at(plan: Outline, u: float, v: float) -> Points:
+    """A point (3,) [m, B] of the sail as it is cut."""
+    place: Points = _flat(plan, np.array([u]), np.array([v]))[0]
+    return place
 
 
-def _rods(plan: Outline, fill: Fill) -> list[tuple[Vector, Vector]]:
-    """Leading edges, spine, spreaders and standoffs, from end to end [m, B]."""
-    front = 0.008 * plan.span
-
-    def on(u: float, v: float) -> Vector:
-        x, y, z = _at(plan, u, v)
-        return Vector(x, y, z + front)
-
-    cross = on(0.0, CROSS)
-    rods = [(on(0.0, 0.0), on(0.0, 1.0)), (on(UPPER, 0.0), on(-UPPER, 0.0))]
+def _rods(plan: Outline) -> NDArray[np.float64]:
+    """Leading edges, spine, spreaders and standoffs, from end to end (n, 2, 3) [m, B]."""
+    front = np.array([0.0, 0.0, FRONT * plan.span])
+    nose, cross, end = (_at(plan, 0.0, v) + front for v in (0.0, CROSS, 1.0))
+    upper = [_at(plan, side * UPPER, 0.0) + front for side in (1.0, -1.0)]
+    rods = [(nose, end), (upper[0], upper[1])]
     for side in (1.0, -1.0):
-        edge = [on(side * u, 0.0) for u in (0.0, 0.25, 0.6, 0.97)]
-        end = on(side * LOWER, 0.0)
-        rods += [*pairwise(edge), (cross, end)]
+        rods += pairwise([_at(plan, side * u, 0.0) + front for u in (0.0, 0.25, 0.6, 0.97)])
+        lower = _at(plan, side * LOWER, 0.0) + front
+        rods.append((cross, lower))
         for u in STANDOFFS:
-            share = u / LOWER
-            start = Vector(*((1 - share) * a + share * b for a, b in zip(cross, end, strict=True)))
-            uv = np.array([[side * u]]), np.array([[1.0]])
-            flat = _flat(plan, *uv)
-            rods.append((start, Vector(*map(float, _filled(plan, flat, *uv, fill)[0]))))
-    return rods
+            tail = np.array([[side * u]]), np.array([[1.0]])
+            held = _filled(plan, _flat(plan, *tail), *tail, Fill(HELD, HELD, 0.0))[0]
+            rods.append((cross + u / LOWER * (lower - cross), held))
+    return np.array(rods)
 
 
-def _knots(plan: Outline, side: float) -> list[Vector]:
-    """Where the bridle's legs of one side are tied [m, B]."""
-    return [_at(plan, side * UPPER, 0.0), _at(plan, side * LOWER, 0.0), _at(plan, 0.0, CROSS)]
+def _knots(plan: Outline, side: float) -> Points:
+    """Where the bridle's legs of one side are tied (3, 3) [m, B]; on the spine beside the other."""
+    beside = 1e-6 * side
+    places = ((side * UPPER, 0.0), (side * LOWER, 0.0), (beside, CROSS))
+    return np.array([_at(plan, u, v) for u, v in places])
 
 
 def _panels() -> NDArray[np.uint8]:
@@ -165,11 +165,11 @@ def _panels() -> NDArray[np.uint8]:
     image[ray > 0.74] *= 0.62
     dyed(image, ray < 0.20, WHITE)
     image[ray < 0.075] = (0.98, 0.78, 0.16)
+    for seam in (0.20, 0.47, 0.74):
+        image[np.abs(ray - seam) * down < 0.006] *= 0.55
     for side, bands in ((left, (0.66,)), (~left, (0.58, 0.74))):
         for band in bands:
             dyed(image, side & (np.abs(u - band) < 0.045), WHITE)
-    for seam in (0.20, 0.47, 0.74):
-        image[np.abs(ray - seam) * down < 0.006] *= 0.55
     behind = _trailing(u.ravel()).reshape(u.shape) - down
     dyed(image, behind < 0.016, DARK)
     dyed(image, (1 - ray) * down < 0.022, DARK)

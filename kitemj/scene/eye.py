@@ -38,7 +38,7 @@ class Follower(NamedTuple):
 
 
 FOLLOWERS = {
-    "pilot": Follower(pilot_aim, pilot_camera, PilotAim(2.5, 4.0, 0.8), PilotAim(0.5, 1.0, 0.0)),
+    "pilot": Follower(pilot_aim, pilot_camera, PilotAim(2.5, 4.0, 1.0), PilotAim(0.5, 1.0, 0.0)),
     "chase": Follower(
         chase_aim,
         chase_camera,

@@ -28,22 +28,20 @@ def foil(kite: Kite) -> Cloth:
     """The cloth of a parafoil."""
     across = np.linspace(-1.0, 1.0, ACROSS * CELLS + 1)
     n = len(across)
-    tube = sheet(2 * PROFILE, n, closed=True)
-    ring = np.arange(2 * PROFILE) * n
-    caps = [[ring[0], ring[k + 1], ring[k]] for k in range(1, 2 * PROFILE - 1)]
+    rows = 2 * PROFILE + 1  # the nose is first and last
+    ring = np.arange(rows - 1) * n
+    caps = [[ring[0], ring[k + 1], ring[k]] for k in range(1, rows - 2)]
     last = [[a + n - 1, c + n - 1, b + n - 1] for a, b, c in caps]
-    faces = np.concatenate([tube, np.array(caps + last)]).astype(np.int32)
-    around = np.concatenate([np.arange(PROFILE + 1), np.arange(PROFILE - 1, 0, -1)]) / PROFILE
-    upper = np.arange(2 * PROFILE) <= PROFILE
-    place = np.where(upper, 0.5 + around / 2, 0.5 - around / 2)
-    s, t = np.meshgrid((across + 1) / 2, place)
+    faces = np.concatenate([sheet(rows, n), np.array(caps + last)]).astype(np.int32)
+    # upper side 0.5 to 1, lower side on to 1.5: images repeat
+    s, t = np.meshgrid((across + 1) / 2, 0.5 + np.arange(rows) / (2 * PROFILE))
     return Cloth(
         lambda fill: _filled(kite, across, fill),
         faces,
         np.stack([s.ravel(), t.ravel()], axis=1),
         _cells(),
-        lambda fill: [],
-        lambda fill, side: [point(kite, side * a, b) for a, b in product(RIBS, ROWS)],
+        np.empty((0, 2, 3)),
+        np.array([point(kite, side * a, b) for side, a, b in product((1, -1), RIBS, ROWS)]),
     )
 
 
@@ -66,9 +64,9 @@ def _filled(kite: Kite, across: NDArray[np.float64], fill: Fill) -> Points:
     # NACA four-digit thickness with a closed tail; round the nose, thin behind
     outline = 0.2969 * np.sqrt(s) - 0.1260 * s - 0.3516 * s**2 + 0.2843 * s**3 - 0.1036 * s**4
     shape, camber = 5 * THICKNESS * outline, CAMBER * 4 * s * (1 - s)
-    lower = slice(-2, 0, -1)
+    lower = slice(-2, None, -1)
     along = np.concatenate([s, s[lower]])[:, None]
-    side = np.concatenate([np.ones(PROFILE + 1), -np.ones(PROFILE - 1)])[:, None]
+    side = np.repeat([1.0, -1.0], [PROFILE + 1, PROFILE])[:, None]
     thick = np.concatenate([shape, shape[lower]])[:, None] * side
     full = np.where(across > 0, fill.left, fill.right)
     # a rib holds the section, between two the cloth is blown up
@@ -105,5 +103,5 @@ def _cells() -> NDArray[np.uint8]:
     dyed(image, np.isin(number, (0, 5, -4, -6)), WHITE)
     seam = np.abs(cell - np.round(cell)) < 0.035
     image[seam] *= 0.6
-    dyed(image, (t < 0.56) & (t > 0.5) & ~seam, DARK)  # the mouths, below the nose
+    dyed(image, (t < 0.5) & (t > 0.45) & ~seam, DARK)  # the mouths, below the nose
     return np.asarray(255 * np.clip(image, 0, 1), np.uint8)

@@ -5,7 +5,8 @@ of the lines, a bay ahead of the pilot; the rest is in metres, whatever the line
 Coordinates are those of the land's frame: x ahead (downwind), y left, the pilot at 0.
 """
 
-from functools import lru_cache
+from concurrent.futures import ThreadPoolExecutor
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -57,12 +58,11 @@ def coast_distance(length: float) -> float:
 @lru_cache(maxsize=2)
 def squares(length: float, side: int) -> tuple[Square, ...]:
     """The ground for lines of `length` [m], its finest textures `side` texels wide."""
-    parts = []
-    for k in range(SQUARES):
-        outer = INNERMOST * FARTHER**k
-        image = land(coast_distance(length), outer, side if k < 3 else side // 2)
-        parts.append(Square(outer / FARTHER if k else 0.0, outer, image))
-    return tuple(parts)
+    outer = [INNERMOST * FARTHER**k for k in range(SQUARES)]
+    sides = [side if k < 3 else side // 2 for k in range(SQUARES)]
+    with ThreadPoolExecutor() as pool:  # numpy lets them run beside one another
+        images = pool.map(partial(land, coast_distance(length)), outer, sides)
+        return tuple(map(Square, [0.0, *outer[:-1]], outer, images))
 
 
 def land(coast: float, half: float, side: int) -> NDArray[np.uint8]:
@@ -109,8 +109,8 @@ def _meadow(place: Place) -> Field:
     large, small = place.rough(160.0, 34), place.rough(21.0, 35)
     colour = mixed(GRASS, DRY, 0.45 * smooth(-0.3, 1.8, large + 0.5 * small))
     colour = mixed(colour, LUSH, 0.55 * smooth(0.0, 2.0, small - 0.7 * large))
-    if place.texel < 0.3:
-        colour *= 1 + 0.07 * place.rough(1.7, 36)
+    if place.texel < 0.5:
+        colour *= 1 + 0.08 * place.rough(2.4, 36)
     if place.texel < 0.1:
         colour *= 1 + 0.09 * place.rough(0.45, 37)
     if place.texel < 0.06:

@@ -4,11 +4,11 @@ from math import cos, sin
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
 from kitemj.scene.ground import squares
-from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture
+from kitemj.scene.model_parts import FLAT, SKYBOX, Mesh, add_blank_texture, add_mesh, add_shape
 from kitemj.scene.sky import sky
 from kitemj.scene.sun import land_turn
 
@@ -17,19 +17,25 @@ UNDER = 0.97  # of its inner side: a square begins under the one within, so that
 STEP = 0.0005  # of its inner side: how much lower it lies
 
 
-def add_landscape(spec: Any, parameters: Parameters, texels: int) -> None:
-    """Adds the sky, of `texels` across a face, and the ground as the body "land"."""
+def add_landscape(spec: Any, parameters: Parameters, texels: int) -> dict[str, NDArray[np.uint8]]:
+    """Adds the sky, of `texels` across a face, and the ground as the body "land".
+
+    Returns the pictures that are to be painted on their textures, by name.
+    """
     azimuth, length = parameters.wind.azimuth, parameters.lines.length
-    add_texture(spec, "sky", mujoco.mjtTexture.mjTEXTURE_SKYBOX, sky(texels, azimuth))
+    pictures = {"sky": sky(texels, azimuth)}
+    add_blank_texture(spec, "sky", SKYBOX, texels)
     half = land_turn(azimuth) / 2
     body = spec.worldbody.add_body(name="land", quat=[cos(half), 0.0, 0.0, sin(half)])
-    for k, (inner, outer, image) in enumerate(squares(length, texels)):
+    for k, (inner, outer, image) in enumerate(squares(length, 3 * texels // 4)):
         name = f"ground_{k}"
-        add_texture(spec, name, mujoco.mjtTexture.mjTEXTURE_2D, image)
+        pictures[name] = image
+        add_blank_texture(spec, name, FLAT, len(image))
         square = _square(UNDER * inner, outer)
         places = square.vertices[:, 1::-1] / (2 * outer) + 0.5
         add_mesh(spec, name, square, places)
         add_shape(body, name, material=name, pos=[0.0, 0.0, -STEP * inner])
+    return pictures
 
 
 def _square(inner: float, outer: float) -> Mesh:
@@ -42,10 +48,8 @@ def _square(inner: float, outer: float) -> Mesh:
     if inner:
         edge[[third, 2 * third]] = -inner, inner
     corners = np.array([(a, b, 0.0) for a in edge for b in edge])
-    middle = range(third, 2 * third) if inner else ()
-    cells = [
-        (i, j) for i in range(CELLS) for j in range(CELLS) if i not in middle or j not in middle
-    ]
+    middle = set(range(third, 2 * third)) if inner else set()
+    cells = [(i, j) for i in range(CELLS) for j in range(CELLS) if {i, j} - middle]
     a = np.array([i * (CELLS + 1) + j for i, j in cells])
     b, c, d = a + CELLS + 1, a + CELLS + 2, a + 1
     faces = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])

@@ -4,15 +4,19 @@ from collections.abc import Sequence
 from itertools import accumulate, chain, pairwise, repeat
 from math import sqrt
 
+import numpy as np
+
 from kitemj.dynamics.motion import LineState, Motion, attachment_E
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, minus, norm, plus, times, unrotated
-from kitemj.scene.cloth import BLUE, DARK, RED, Cloth, Colour, Fill
+from kitemj.scene.cloth import BLUE, DARK, RED, Cloth, Colour
 from kitemj.scene.figure import Hands
 from kitemj.scene.strokes import Strokes
 
 COLOURS = (RED, BLUE)  # of the first lines, the pilot's left and right; others: DARK
-EDGED = 2.0  # widths, of the dark line below, which is seen against any colour
+EDGE = 2  # px by which the dark line below is wider: one of the two is seen against anything
+EDGE_SHADE = 0.3
+DETAIL = 60.0  # px of span from which thin things are drawn
 SAG_PIECES = 16
 SLACK = 1e-4  # m, a line longer than its distance by more hangs
 
@@ -30,20 +34,28 @@ def add_lines(
     for line, start, own in zip(motion.lines, starts, colours, strict=False):
         points = drawn(line, start)
         if colour is None:
-            strokes.line(points, EDGED * width, DARK)
+            red, green, blue = own
+            edge = EDGE_SHADE * red, EDGE_SHADE * green, EDGE_SHADE * blue
+            strokes.line(points, width + EDGE, edge)
         strokes.line(points, width, colour or own)
 
 
 def add_bridle(
-    strokes: Strokes, parameters: Parameters, motion: Motion, cloth: Cloth, fill: Fill
+    strokes: Strokes, parameters: Parameters, motion: Motion, cloth: Cloth, seen: float
 ) -> None:
-    """Draws the bridle's legs, from the attachments to the sail, and the rods of its frame."""
-    for side in (1.0, -1.0):
-        knot = attachment_E(parameters, motion.body, side)
-        for point in cloth.bridle(fill, side):
-            strokes.line((knot, from_body(motion, point)), 1.0, DARK)
-    for rod in cloth.rods(fill):
-        strokes.line([from_body(motion, point) for point in rod], 1.5, DARK)
+    """Draws the bridle's legs, from the attachments to the sail, and the rods of its frame.
+
+    Not where they would hide the sail: `seen` is its span in px.
+    """
+    if seen < DETAIL:
+        return
+    body = motion.body
+    to_E = np.array(body.R_BE)
+    strokes.lines(cloth.rods @ to_E + body.p_G_E, 1.0 if seen < 2 * DETAIL else 2.0, DARK)
+    left, right = (attachment_E(parameters, body, side) for side in (1.0, -1.0))
+    ends = cloth.bridle @ to_E + body.p_G_E
+    knots = np.where(cloth.bridle[:, 1:2] > 0, left, right)
+    strokes.lines(np.stack([knots, ends], axis=1), 1.0, DARK)
 
 
 def drawn(line: LineState, start: Vector) -> list[Vector]:

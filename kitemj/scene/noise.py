@@ -1,14 +1,16 @@
 """What textures are made of: random fields without end, and colours that are mixed.
 
-Fields are tiles that repeat seamlessly. Colours are arrays (3, ...), red first, 0 to 1. The same seed gives the same field on every machine, so that two frames of one motion agree.
+Fields are tiles that repeat seamlessly; the same seed gives the same field on every machine.
+Colours are arrays (3, ...), red first, 0 to 1.
 """
 
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-Field = NDArray[np.float32]
+Field = NDArray[np.floating[Any]]
 Colour = tuple[float, float, float]
 SIDE = 512  # texels of a tile
 

@@ -10,8 +10,8 @@ from kitemj.closing import Closing
 from kitemj.dynamics.motion import Motion
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.gl import open_graphics
-from kitemj.scene.quality import HIGH
+from kitemj.scene.gl import open_graphics, smooth_sky
+from kitemj.scene.quality import FILM, HIGH, Quality
 from kitemj.scene.scene import Scene
 from kitemj.scene.views import Camera
 
@@ -19,17 +19,23 @@ from kitemj.scene.views import Camera
 class Renderer(Closing):
     """Frames of `width` x `height` pixels of one parameter set; `scene` is what is in them.
 
-    A context manager. Any thread may render, one at a time. Raises `NoGraphics` where OpenGL is
+    A context manager. `quality` may be set between frames; texels and samples stay those of the
+    first. Any thread may render, one at a time. Raises `NoGraphics` where OpenGL is
     missing.
     """
 
-    def __init__(self, parameters: Parameters, width: int, height: int) -> None:
-        self.width, self.height = width, height
+    def __init__(
+        self, parameters: Parameters, width: int, height: int, quality: Quality = HIGH
+    ) -> None:
+        self.width, self.height, self.quality = width, height, quality
         self._graphics = open_graphics(width, height)
-        self.scene = Scene(parameters, width, height, HIGH)
+        if not self._graphics.software:
+            quality = quality._replace(samples=FILM.samples)  # it costs nothing there
+        self.scene = Scene(parameters, width, height, quality)
         with self._graphics.context.as_current():
             font = mujoco.mjtFontScale.mjFONTSCALE_100
             self._context: Any = mujoco.MjrContext(self.scene.model, font)
+            smooth_sky(int(self._context.texture[self.scene.model.texture("sky").id]))
             mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._context)
         self._pixels = np.empty((height, width, 3), np.uint8)
 
@@ -51,18 +57,31 @@ class Renderer(Closing):
         """
         box = box or pygame.Rect(0, 0, self.width, self.height)
         bottom = self.height - box.bottom  # OpenGL counts rows from below
-        rows = mujoco.MjrRect(box.left, bottom, box.width, box.height)
+        rows = (self._scaled(side) for side in (box.left, bottom, box.width, box.height))
+        self.scene.surroundings.show_details(self.quality.details)
         with self._graphics.context.as_current():
-            self.scene.fill(motion, reference, camera, forces)
+            self.scene.fill(motion, reference, camera, forces, self._scaled(box.height))
             self.scene.upload(self._context)
-            mujoco.mjr_render(rows, self.scene.mjv, self._context)
+            mujoco.mjr_render(mujoco.MjrRect(*rows), self.scene.mjv, self._context)
 
     def frame(self) -> NDArray[np.uint8]:
         """A copy of what was rendered (height, width, 3), RGB, row 0 on top."""
-        whole = mujoco.MjrRect(0, 0, self.width, self.height)
+        wide, tall = self._scaled(self.width), self._scaled(self.height)
+        pixels = self._pixels.ravel()[: 3 * wide * tall].reshape(tall, wide, 3)
         with self._graphics.context.as_current():
-            mujoco.mjr_readPixels(self._pixels, None, whole, self._context)
-        return np.ascontiguousarray(self._pixels[::-1])
+            mujoco.mjr_readPixels(pixels, None, mujoco.MjrRect(0, 0, wide, tall), self._context)
+        upright = np.ascontiguousarray(pixels[::-1])
+        if (wide, tall) == (self.width, self.height):
+            return upright
+        frame = np.empty((self.height, self.width, 3), np.uint8)
+        small = pygame.image.frombuffer(upright.data, (wide, tall), "RGB")
+        whole = pygame.image.frombuffer(frame.data, (self.width, self.height), "RGB")
+        pygame.transform.smoothscale(small, (self.width, self.height), whole)
+        return frame
+
+    def _scaled(self, side: int) -> int:
+        """A length [px] of the frame in what is rendered, which may be smaller."""
+        return max(round(self.quality.scale * side), 1)
 
     def resize(self, width: int, height: int) -> None:
         """Makes the next frames `width` x `height` pixels large."""

@@ -19,17 +19,18 @@ from kitemj.scene import scenery as look
 from kitemj.scene.figure import Hands, add_pilot, hands
 from kitemj.scene.forces import add_forces
 from kitemj.scene.ground import EXTENT
-from kitemj.scene.kites import KITE, REFERENCE, REFERENCE_GROUP, Sails
+from kitemj.scene.kites import KITE, REFERENCE, REFERENCE_GROUP, Sails, enlargement
 from kitemj.scene.lines import add_bridle, add_lines, from_body
 from kitemj.scene.quality import Quality
 from kitemj.scene.strokes import Strokes
 from kitemj.scene.sun import sun
+from kitemj.scene.surroundings import Surroundings
 from kitemj.scene.views import NEAR, UP, Camera, downwind
 
 O_E = Vector(0.0, 0.0, 0.0)
 MAX_GEOMS = 400
 FIGURE = 0.05  # least height of the pilot in parts of the frame's, seen from afar
-LINE, THIN = 1.5, 1.0  # px of 720 rows
+LINE, THIN = 2, 1  # px of 720 rows
 WIND = (0.75, 0.95, 1.0)
 
 ALL = int(mujoco.mjtCatBit.mjCAT_ALL)
@@ -40,13 +41,14 @@ class Scene:
     """The drawing model with its state; `mjv` is what MuJoCo renders."""
 
     def __init__(self, parameters: Parameters, width: int, height: int, quality: Quality) -> None:
-        self.parameters, self._unit = parameters, max(height / 720, 0.6)
+        self.parameters, self.rings = parameters, False
         self.model = look.drawing_model(parameters, width, height, quality)
         self.mjv = mujoco.MjvScene(self.model, MAX_GEOMS)
         self._data = mujoco.MjData(self.model)
         self._option = mujoco.MjvOption()
         self._free = mujoco.MjvCamera()
-        self._references = np.flatnonzero(self.model.geom_group >= REFERENCE_GROUP)
+        self._references = np.flatnonzero(self.model.geom_group == REFERENCE_GROUP)
+        self.surroundings = Surroundings(parameters, self.model)
         self._sails = Sails(parameters, self.model)
         self._strokes = Strokes(self.mjv)
         self.mjv.flags[:] = 0
@@ -58,36 +60,41 @@ class Scene:
         reference: Motion | None,
         camera: Camera,
         forces: bool = True,
+        rows: int = 720,
     ) -> None:
-        """Makes the scene of `motion` as `camera` sees it.
+        """Makes the scene of `motion` as `camera` sees it in a picture of so many `rows`.
 
         One that is near the kite sees force arrows, unless `forces` is off. Then also the wind
         has no arrow.
         """
         wide, strokes = camera.wide, self._strokes
+        line = THIN if wide else max(THIN, round(LINE * rows / 720))
         visible = 0.0 if reference is None else _visibility(motion, reference, self.parameters)
         self._option.geomgroup[1:] = 0
         self._option.geomgroup[KITE + wide] = 1
+        self._option.geomgroup[look.RING_GROUP] = self.rings
         self._option.geomgroup[REFERENCE_GROUP + wide] = visible > 0
         model, data = self.model, self._data
         for mocap, each in enumerate((motion,) if reference is None else (motion, reference)):
             data.mocap_pos[mocap] = world(each.body.p_G_E)
             data.mocap_quat[mocap] = world_quaternion(quaternion(each.body.R_BE))
         model.geom_rgba[self._references, 3] = 0.5 * visible
-        filled = self._sails.fill(motion, wide)
-        self._sails.light(motion, camera.position, times(-1.0, sun(self.parameters)))
+        self._sails.fill(motion, wide, sun(self.parameters))
         mujoco.mj_kinematics(model, data)
         mujoco.mj_camlight(model, data)
         mujoco.mjv_updateScene(model, data, self._option, None, self._free, ALL, self.mjv)
         self._aim(camera)
+        self.surroundings.add(self.mjv, motion, enlargement(self.parameters) if wide else 1.0)
         scale = self._figure_scale(camera)
         held = Hands(*(times(scale, hand) for hand in hands(self.parameters, motion)))
-        add_lines(strokes, motion, held, LINE * self._unit)
+        add_lines(strokes, motion, held, line)
         if reference is not None and visible > 0:
-            add_lines(strokes, reference, held, THIN * self._unit, REFERENCE)
+            add_lines(strokes, reference, held, THIN, REFERENCE)
         add_pilot(strokes, self.parameters, motion, scale)
         if not wide:
-            add_bridle(strokes, self.parameters, motion, self._sails.cloth, filled)
+            far = norm(minus(motion.body.p_G_E, camera.position))
+            seen = self.parameters.kite.span / far * rows / 2 / tan(camera.field / 2)
+            add_bridle(strokes, self.parameters, motion, self._sails.cloth, seen)
         if forces:
             if camera.near:
                 add_forces(strokes, self.parameters, motion)

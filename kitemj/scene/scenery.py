@@ -13,9 +13,10 @@ from kitemj.physics.frames import world
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import times
 from kitemj.scene.cloth import WHITE
+from kitemj.scene.field import add_field
 from kitemj.scene.kites import add_kites
 from kitemj.scene.landscape import add_landscape
-from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture
+from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture, paint_texture
 from kitemj.scene.quality import Quality
 from kitemj.scene.sun import sun
 
@@ -44,10 +45,14 @@ def drawing_model(parameters: Parameters, width: int, height: int, quality: Qual
         specular=[0.0] * 3,
         castshadow=False,
     )
-    add_landscape(spec, parameters, quality.texels)
+    pictures = add_landscape(spec, parameters, quality.texels)
+    add_field(spec, parameters)
     _add_rings(spec, parameters.lines.length)
     add_kites(spec, parameters)
-    return spec.compile()
+    model = spec.compile()
+    for name, picture in pictures.items():
+        paint_texture(model, name, picture)
+    return model
 
 
 def ring_step(length: float) -> float:
@@ -67,7 +72,7 @@ def _add_rings(spec: Any, length: float) -> None:
     line[:, :, :3] = 255
     core = RING_TEXELS // (2 * RING_BAND)
     line[:, RING_TEXELS // 2 - core : RING_TEXELS // 2 + core, 3] = 255
-    add_texture(spec, "ring", mujoco.mjtTexture.mjTEXTURE_2D, line)
+    add_texture(spec, "ring", line)
     lift = [0.0, 0.0, 0.0006 * length]  # out of the ground's depth rounding
     for k in range(1, RINGS + 1):
         band = RING_BAND * RING_WIDTH * step

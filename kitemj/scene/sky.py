@@ -3,6 +3,7 @@
 All is a function of the direction, in the frame of the land: ahead (downwind), left, up.
 """
 
+from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from math import cos, sin
 
@@ -14,7 +15,7 @@ from kitemj.scene.sun import SUN, land_turn
 
 HORIZON = (0.90, 0.93, 0.93)
 LOW = (0.60, 0.79, 0.93)  # of the sky some 15° up
-ZENITH = (0.16, 0.38, 0.74)
+ZENITH = (0.19, 0.43, 0.78)
 WARM = (1.0, 0.96, 0.86)
 CLOUD, SHADE = (1.0, 0.995, 0.98), (0.74, 0.80, 0.88)
 HILLS = ((0.66, 0.75, 0.82), (0.52, 0.63, 0.66), (0.40, 0.51, 0.45))  # far, nearer, near
@@ -37,21 +38,27 @@ def directions(side: int) -> NDArray[np.float32]:
 @lru_cache(maxsize=2)
 def sky(side: int, azimuth: float) -> NDArray[np.uint8]:
     """The cube's texture (6 side, side, 3) for a wind from `azimuth` [rad]."""
+    with ThreadPoolExecutor() as pool:  # numpy lets them run beside one another
+        faces = list(pool.map(lambda d: _face(d, azimuth), directions(side)))
+    return np.concatenate(faces)
+
+
+def _face(d: Field, azimuth: float) -> NDArray[np.uint8]:
+    """The picture (n, n, 3) of the texels in the directions (n, n, 3) [W]."""
     turn = land_turn(azimuth)
     c, s = np.float32(cos(turn)), np.float32(sin(turn))
-    image = np.empty((6, side, side, 3), np.uint8)
-    grain = np.random.default_rng(5).random((side, side), np.float32)
-    image[:] = np.clip(255 * np.array(HORIZON), 0, 255)
-    for face, d in enumerate(directions(side)):
-        rows = np.flatnonzero(d[:, 0, 2] > -LOWEST)
-        if rows.size:
-            x, y, z = np.ascontiguousarray(np.moveaxis(d[rows], -1, 0))
-            size = np.sqrt(x * x + y * y + z * z)
-            x, y, z = x / size, y / size, z / size
-            colour = 255 * sky_colour(c * x + s * y, c * y - s * x, z)
-            # a grain of one step hides the bands of eight bits
-            image[face][rows] = np.moveaxis(np.clip(colour + grain[rows], 0, 255), 0, -1)
-    return image.reshape(6 * side, side, 3)
+    image = np.empty(d.shape, np.uint8)
+    image[:] = 255 * np.array(HORIZON)
+    rows = np.flatnonzero(d[:, 0, 2] > -LOWEST)
+    if rows.size:
+        x, y, z = np.ascontiguousarray(np.moveaxis(d[rows], -1, 0))
+        size = np.sqrt(x * x + y * y + z * z)
+        x, y, z = x / size, y / size, z / size
+        colour = 255 * sky_colour(c * x + s * y, c * y - s * x, z)
+        # a grain of one step hides the bands of eight bits
+        colour += np.random.default_rng(5).random(x.shape, np.float32)
+        image[rows] = np.moveaxis(np.clip(colour, 0, 255), 0, -1)
+    return image
 
 
 def sky_colour(ahead: Field, left: Field, up: Field) -> Field:
@@ -91,7 +98,7 @@ def _with_clouds(colour: Field, ahead: Field, left: Field, up: Field) -> Field:
     wisps = 0.22 * smooth(0.3, 2.4, at(detail, 0.35 * x + 0.3, 1.5 * y))
     clouded = np.flatnonzero(cover > wisps)
     light = np.ones_like(up).ravel()
-    x, y, fine, here = (field.flat[clouded] for field in (x, y, fine, here))
+    x, y, fine, here = (np.asarray(each).flat[clouded] for each in (x, y, fine, here))
     lit = here - 0.16 * fine - at(shape, x + 0.014 * SUN.x, y + 0.014 * SUN.y)
     light[clouded] = np.clip(0.84 + 0.9 * lit + 0.07 * fine - 0.3 * smooth(1.0, 2.6, here), 0, 1)
     cover = np.maximum(cover, wisps) * smooth(0.0, 0.16, up)
@@ -108,7 +115,7 @@ def _with_hills(colour: Field, ahead: Field, left: Field, up: Field) -> Field:
         ridge = 1 + 0.33 * at(tile, row, (k + 2) * bearing)
         open_sea = smooth(0.055 + 0.022 * k, 0.15 + 0.03 * k, aside)
         top = height * ridge * open_sea - 0.002
-        cover = smooth(-0.0007, 0.0007, top - up)
-        mist = 0.75 - 0.5 * np.clip(up / np.maximum(top, 1e-3), 0, 1)
-        colour = mixed(colour, mixed(hill, HORIZON, mist * 0.8), cover)
+        cover = smooth(-0.0016, 0.0016, top - up) * smooth(0.0, 0.1, open_sea)
+        mist = 1.0 - 0.75 * np.clip(up / np.maximum(top, 1e-3), 0, 1) ** 0.7
+        colour = mixed(colour, mixed(hill, HORIZON, mist), cover)
     return colour

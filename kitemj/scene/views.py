@@ -5,7 +5,7 @@ motion. `kitemj.scene.eye` lets the numbers of pilot and chase follow softly.
 """
 
 from collections.abc import Callable
-from math import atan, atan2, cos, pi, radians, remainder, sin, sqrt, tan
+from math import atan, atan2, cos, hypot, pi, radians, remainder, sin, sqrt, tan
 from typing import NamedTuple
 
 from kitemj.dynamics.motion import Motion
@@ -18,20 +18,21 @@ NEAR = 0.25  # m, closer is not drawn
 HIGHEST = radians(85.0)  # elevation of an orbit
 LOWEST = 0.6  # m above the ground that an eye stands
 NEAR_ORBIT = 8.0  # spans, up to here the kite is seen with its forces
-OVERHEAD = 0.35  # how far from the zenith, in parts of the lines, yaws begin to go to zero
+OVERHEAD = 0.7  # how far from the zenith, in parts of the lines, yaws begin to go to zero
 
 BEHIND, ASIDE, EYE = 5.0, 0.9, 1.5  # m from O_E: behind the pilot, to the right, above ground
-HORIZON, KITE = 0.84, 0.55  # half heights of the frame below and above its middle
+HORIZON = 0.78  # half heights of the frame below its middle
+KITE, KITE_LOW = 0.58, 0.60  # half heights above the middle, and below it for one on the ground
 EASING = radians(3.0)
-NARROWEST = radians(36.0)
-LOW_SPAN, HIGH_SPAN = 0.05, 0.065  # of the width of a frame, at least, for a kite low and high
-LOW, HIGH = radians(35.0), radians(60.0)
+NARROW, NARROWEST = radians(36.0), radians(22.0)  # for a kite that is low; far
+LOW_SPAN, HIGH_SPAN = 0.045, 0.065  # of the width of a frame, at least, for a kite low and high
+LOW, HIGH = radians(40.0), radians(62.0)
 
 CHASE_FIELD = radians(50.0)
 CHASE_SPANS = 3.6  # from the kite
-CHASE_ABOVE = radians(4.0)  # the lines, which else would be seen from their end
+CHASE_ABOVE = radians(5.0)  # the lines, which else would be seen from their end
 CHASE_LOW = radians(3.0)  # how much lower than the kite it looks
-LEAST_EYE = 0.9  # m above the ground
+LEAST_EYE = 0.7  # m above the ground
 
 
 class Camera(NamedTuple):
@@ -121,15 +122,21 @@ def pilot_aim(parameters: Parameters, motion: Motion) -> PilotAim:
     climbed = min(max((elevation - LOW) / (HIGH - LOW), 0.0), 1.0)
     share = LOW_SPAN + (HIGH_SPAN - LOW_SPAN) * climbed
     widest = parameters.kite.span / parameters.lines.length / (share * 2 * 16 / 9)
-    return PilotAim(yaw, elevation, 2 * atan(min(max(T, tan(NARROWEST / 2)), widest)))
+    T = min(max(T, tan(NARROW / 2)), max(widest, tan(NARROWEST / 2)))
+    return PilotAim(yaw, elevation, 2 * atan(T))
 
 
 def pilot_camera(parameters: Parameters, aim: PilotAim) -> Camera:
     """Behind the pilot's shoulder: the horizon low, the kite in the sky, as high as it is."""
     T = tan(aim.field / 2)
-    low, high = atan(HORIZON * T), aim.elevation - atan(KITE * T)
-    pitch = (low + high + sqrt((high - low) ** 2 + EASING**2)) / 2  # the larger, without a corner
+    pitch = _larger(atan(HORIZON * T), aim.elevation - atan(KITE * T))
+    pitch = -_larger(-pitch, -aim.elevation - atan(KITE_LOW * T))
     return _level(_shoulder(parameters, aim.yaw), parameters, aim.yaw, pitch, aim.field)
+
+
+def _larger(a: float, b: float) -> float:
+    """The larger of two angles [rad], without a corner where they are equal."""
+    return (a + b + hypot(a - b, EASING)) / 2
 
 
 def _shoulder(parameters: Parameters, yaw: float) -> Vector:
@@ -166,7 +173,7 @@ def chase_camera(parameters: Parameters, aim: ChaseAim) -> Camera:
     pitch = min(max(aim.elevation, 0.0) - CHASE_ABOVE, HIGHEST)
     away = turned_to(parameters, aim.yaw, pitch)
     eye = plus(Vector(aim.x, aim.y, aim.z), times(-distance, away))
-    height = (-eye.z + LEAST_EYE + sqrt((-eye.z - LEAST_EYE) ** 2 + 0.5**2)) / 2
+    height = (LEAST_EYE - eye.z + hypot(LEAST_EYE + eye.z, 0.5)) / 2  # the larger
     eye = Vector(eye.x, eye.y, -height)
     return _level(eye, parameters, aim.yaw, pitch - CHASE_LOW, CHASE_FIELD)._replace(near=True)
 

@@ -48,7 +48,9 @@ class Place(NamedTuple):
 def samples(before: Heard, after: Heard, place: Place, count: int = CHUNK) -> tuple[Samples, Place]:
     """The next `count` samples, in which `before` becomes `after`; and the place after them."""
     part: Floats = np.arange(1, count + 1, dtype=np.float64) / count
-    rates = np.outer(_rates(before), 1 - part) + np.outer(_rates(after), part)
+    # a sound that ends or begins keeps its pitch meanwhile
+    first, last = before if before.airspeed else after, after if after.airspeed else before
+    rates = np.outer(_rates(first), 1 - part) + np.outer(_rates(last), part)
     rush, left, right, flutter = np.outer(_gains(before), 1 - part) + np.outer(_gains(after), part)
     at: Floats = np.array(place, np.float64)[:, None] + np.cumsum(rates, axis=1)
     wind, line, cloth, swell = _tables()

@@ -52,9 +52,9 @@ SHOWN_ALONE = {"trail", "forces", "labels"}
 """What stays in a view that is shown alone."""
 
 CAPTIONS = {
-    "chase": "From behind and above the kite: the canopy with the forces on it, the lines, the "
-    "trail; how it tilts is seen best here.",
-    "pilot": "The whole, from behind the pilot, who stands at the ground point O_E.",
+    "pilot": "From behind the pilot, who stands at the ground point O_E: the kite against the sky.",
+    "chase": "Along the lines, from near: the canopy with the forces on it, the lines, the trail; "
+    "how it tilts is seen best here.",
     "side": "From the side, at a right angle to the wind: elevation and length of the lines.",
     "top": "From above: azimuth, and the rings on the ground that tell distances.",
     "orbit": "From wherever the mouse turns the eye.",

@@ -47,6 +47,12 @@ ARROW = "test_cockpit:test_the_arrow_of_the_wind_and_a_slack_line"
 READ = "test_columns:test_what_is_read_from_columns_is_what_was_flown"
 FIGURES = "test_columns:test_figures_are_in_the_units_of_their_axes"
 
+EYES = "test_scene:test_eyes_turn_to_a_kite_aside"
+OSCILLATOR = "test_scene:test_an_eye_is_the_oscillator_of_the_textbook"
+PULLED = "test_scene:test_the_hand_whose_line_is_short_is_back"
+PORT = "test_scene:test_port_is_red"
+BELLIES = "test_scene:test_a_sail_bellies_to_leeward"
+
 FAULTS = [
     Fault(
         "shear clamped below the reference height",
@@ -372,14 +378,14 @@ FAULTS = [
     ),
     Fault(
         "an angle of the air told in rad",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{degrees(angle):.1f}°"',
         'f"{angle:.1f}°"',
         PANELS,
     ),
     Fault(
         "the height told as z_E",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{-motion.body.p_G_E.z:.1f} m"',
         'f"{motion.body.p_G_E.z:.1f} m"',
         PANELS,
@@ -393,7 +399,7 @@ FAULTS = [
     ),
     Fault(
         "twist to the left told as right",
-        "drawing.instruments",
+        "drawing.flight_panels",
         "{'right' if turns > 0 else 'left'}",
         "{'left' if turns > 0 else 'right'}",
         PANELS,
@@ -533,7 +539,7 @@ FAULTS = [
     ),
     Fault(
         "a slack line that hangs by too little",
-        "scene.scene",
+        "scene.lines",
         "sqrt(max(0.375 * distance * (length - distance), 0.0))",
         "sqrt(max(0.0375 * distance * (length - distance), 0.0))",
         ARROW,
@@ -554,9 +560,72 @@ FAULTS = [
     ),
     Fault(
         "the airspeed in km/h",
-        "drawing.instruments",
+        "drawing.flight_panels",
         'f"{motion.air.speed:.1f} m/s"',
         'f"{3.6 * motion.air.speed:.1f} m/s"',
+        PANELS,
+    ),
+    Fault(
+        "eyes that turn away from the kite",
+        "scene.views",
+        "dot(p_E, cross(wind, UP)) / size",
+        "dot(p_E, cross(UP, wind)) / size",
+        EYES,
+    ),
+    Fault(
+        "an eye with half its lag",
+        "scene.eye",
+        "lag = 2 * (1 - lead)",
+        "lag = (1 - lead)",
+        OSCILLATOR,
+    ),
+    Fault(
+        "an eye that is not critically damped",
+        "scene.eye",
+        "pull, fade = closing + rate * gap",
+        "pull, fade = closing + 0.5 * rate * gap",
+        OSCILLATOR,
+    ),
+    Fault(
+        "the hand goes out to pull",
+        "scene.figure",
+        "tanh((length - parameters.lines.length) / ARM)",
+        "tanh((parameters.lines.length - length) / ARM)",
+        PULLED,
+    ),
+    Fault(
+        "a stunt kite with its colours exchanged",
+        "scene.delta",
+        "np.where(left[..., None], RED, BLUE)",
+        "np.where(left[..., None], BLUE, RED)",
+        PORT,
+    ),
+    Fault(
+        "a parafoil with its colours exchanged",
+        "scene.foil",
+        "np.where((number > 0)[..., None], RED, BLUE)",
+        "np.where((number > 0)[..., None], BLUE, RED)",
+        PORT,
+    ),
+    Fault(
+        "a sail that bellies into the wind",
+        "scene.delta",
+        "points[:, 2] -= plan.span",
+        "points[:, 2] += plan.span",
+        BELLIES,
+    ),
+    Fault(
+        "left and right exchanged before a pilot's eyes",
+        "drawing.head_up",
+        '"LR"[side]',
+        '"RL"[side]',
+        PANELS,
+    ),
+    Fault(
+        "a pilot's airspeed told in km/h",
+        "drawing.head_up",
+        'f"{motion.air.speed:.1f}"',
+        'f"{3.6 * motion.air.speed:.1f}"',
         PANELS,
     ),
 ]

@@ -22,7 +22,8 @@ from kitemj.physics.vectors import Rotation, Vector, cross, minus, norm, times
 from kitemj.physics.wind import Wind
 from kitemj.pilots.crash import touch_at
 from kitemj.pilots.sight import sight
-from kitemj.scene.scene import Scene, hanging
+from kitemj.scene.lines import hanging
+from kitemj.scene.scene import Scene
 from kitemj.scene.views import CAMERAS, Orbit, downwind, looking, orbiting, pixel
 from tests.authorities.by_hand import DOWN, LEFT, LEVEL, RIGHT, UP, UPWIND, ZERO, motion
 from tests.support import LAKSA
@@ -96,7 +97,7 @@ def test_views_show_what_is_left_on_the_left():
     assert seen_at("side", upwind)[0] < seen_at("side", ahead)[0], "from left to right"
     assert seen_at("top", upwind)[1] > seen_at("top", ahead)[1], "up the picture"
     for view in ("pilot", "side", "chase"):
-        low, high = Vector(-80.0, -60.0, -10.0), Vector(-80.0, -60.0, -90.0)
+        low, high = Vector(-80.0, -60.0, -95.0), Vector(-80.0, -60.0, -105.0)
         assert seen_at(view, high)[1] < seen_at(view, low)[1], view
 
 
@@ -162,6 +163,10 @@ class Written(instruments.Panel):
     def line(self, *rest: Any) -> None:
         """Paints nothing."""
 
+    def wide(self, text: str, *rest: Any) -> float:
+        """About as wide as it is long."""
+        return 9.0 * len(text)
+
     polygon = dot = ground = line
 
 
@@ -169,7 +174,8 @@ def words_of(now: Any, readings: Any, *shown: str) -> list[str]:
     Written.words, Written.bars = [], []
     with patch.object(instruments, "Panel", Written):
         painter = instruments.Instruments(LAKSA, *FRAME)
-        painter.paint(pygame.Surface(FRAME), now, readings, set(shown))
+        depth = "engineer" if shown else "pilot"
+        painter.paint(pygame.Surface(FRAME), now, readings, depth, set(shown))
     return Written.words
 
 
@@ -187,23 +193,26 @@ def test_panels_say_the_numbers_in_the_units_that_they_name():
     told = dict(zip(words[2::2], words[3::2], strict=True))
     assert words[0] == "61.0 s"
     assert (told["elevation"], told["azimuth"]) == ("67.4°", "53° right")
-    assert (told["height"], told["airspeed"]) == ("120.0 m", "9.0 m/s")
+    assert (told["height, min 0"], told["airspeed"]) == ("120.0 m", "9.0 m/s")
     words = words_of(now, Readings(), "air")
-    assert words == ["α", "12.5°", "max 25°", "β", "-7.5°", "max 15°"]
+    attack, sideslip = ["12.5°", "α, 0° to 25°"], ["-7.5°", "β, at most ±15°"]
+    assert words == ["angle of attack", *attack, "sideslip", *sideslip]
     (_, a), (_, b) = (Written.bars[i] for i in (1, 4))  # half of either side of the troughs
     (_, trough) = Written.bars[0]
     assert (a, b) == pytest.approx((trough / 4, trough / 4))
     words = words_of(now, Readings(delta_command=radians(2.0)), "knob")
-    assert words[:3] == ["LEFT hand", "δ -3.50°", "asked +2.0°"]
+    assert words[2:5] == ["LEFT hand pulls", "δ -3.50°", "asked +2.0°"]
     words = words_of(now, Readings(gap=2.5e-6), "model")
-    assert words[3] == "2.5 µm"
+    assert words[5] == "2.5 µm"
     traces = Traces(np.empty((0, 3)), -4 * pi, np.full(250, np.nan), np.full(250, np.nan))
     assert words_of(now, Readings(traces=traces), "model")[-1] == "2 left"
     words = words_of(now, Readings(missed_ticks=3, lateness=0.0125), "chart")
-    assert {"3", "late 12.5", "10 ms"} <= set(words)
+    assert {"3", "late 12.5 ms, at most 10"} <= set(words)
     words = words_of(now, Readings(), "lines")
     assert {"25.5 N", "250 N", "left", "right"} <= set(words)
     assert words.index("25.5 N") < words.index("right"), "the first line is the left one"
+    assert words_of(now, Readings()) == ["9.0", "m/s", "1:01", "L", "26 N", "R", "250 N"]
+    assert [x for x, _ in Written.bars[:1]] < [x for x, _ in Written.bars[-1:]]
 
 
 def test_the_knob_is_a_dial():

@@ -4,7 +4,14 @@ import pygame
 import pytest
 
 from kitemj.cockpit.fly import _grant, fly
-from kitemj.cockpit.screens import AROUND, Window, display_found, fitting
+from kitemj.cockpit.screens import (
+    AROUND,
+    RestingSize,
+    Window,
+    display_found,
+    fitting,
+    shaped,
+)
 from kitemj.controls.programmed import ProgrammedStick, Row
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
@@ -128,6 +135,52 @@ def test_full_screen_and_back_while_flying(window, picture):
     summary = fly(Flown(), picture, Script(window, doings), duration=1.3)
     assert sizes[1] == SIZE
     assert summary.flown + summary.times.lost > 1.2
+
+
+def test_frames_follow_the_window_once_it_rests(window, picture):
+    """Full screen is larger; frames are painted in its size, and in the old one afterwards."""
+    shapes = []
+    doings = [(0.2, lambda: press(pygame.K_F11)), (1.2, lambda: press(pygame.K_F11))]
+
+    class Shapes(Script):
+        def show(self, frame, wall):
+            shapes.append(frame.shape[1::-1])
+            super().show(frame, wall)
+
+    full = shaped(pygame.display.get_desktop_sizes()[0])
+    assert full != SIZE
+    fly(Flown(), picture, Shapes(window, doings), duration=2.2)
+    assert [*dict.fromkeys(shapes)] == [SIZE, full]
+    assert shapes[-1] == SIZE
+
+
+def test_a_size_is_taken_when_it_has_rested():
+    now = [0.0]
+    resting = RestingSize((640, 360), lambda: now[0])
+    for t, size, expected in (
+        (0.4, (640, 360), (640, 360)),
+        (0.5, (700, 400), None),
+        (0.7, (801, 601), None),
+        (0.9, (801, 601), None),
+        (1.1, (801, 601), (800, 600)),
+    ):
+        now[0] = t
+        assert resting.rested(size) == expected, t
+
+
+@pytest.mark.parametrize(
+    ("window_size", "picture_size"),
+    [
+        ((1280, 720), (1280, 720)),
+        ((1024, 768), (1024, 768)),
+        ((2520, 1080), (2520, 1080)),
+        ((3000, 1000), (2332, 1000)),
+        ((800, 1200), (800, 600)),
+        ((100, 80), (320, 180)),
+    ],
+)
+def test_pictures_have_shapes_from_four_by_three_to_twenty_one_by_nine(window_size, picture_size):
+    assert shaped(window_size) == picture_size
 
 
 class Asked:

@@ -31,7 +31,7 @@ def frame_with(stick, size):
     surface = pygame.image.frombuffer(frame.data, size, "RGB")
     readings = Readings(delta_command=stick * PARAMETERS.stick.delta)
     motion = SteeredFlight(SCENARIO).result.motion
-    Instruments(PARAMETERS, *size).paint(surface, motion, readings, {"knob"})
+    Instruments(PARAMETERS, *size).paint(surface, motion, readings, "engineer", {"knob"})
     return frame
 
 

@@ -37,7 +37,7 @@ def test_painters_that_are_lost_again_and_again_are_a_sentence(
 def test_captions_stand_where_no_instrument_is() -> None:
     shot = SHOTS[0][0]
     stage = Stage(
-        (SOURCE.parameters,) * 2, ("sport: mujoco", "sport: lagrange"), SIZE, "side", depth
+        (SOURCE.parameters,) * 2, ("sport: mujoco", "sport: lagrange"), SIZE, "side", "engineer"
     )
     with Painter(stage) as painter:
         for picture in painter._pictures:

@@ -4,16 +4,19 @@ import pygame
 import pytest
 
 from kitemj.controls.actions import (
+    DEPTHS,
     HELP,
     INSTRUMENTS,
+    MENU_BUTTONS,
     NAMES,
     RATES,
     REPLAY_ACTIONS,
+    REPLAY_BUTTONS,
     REPLAY_HELP,
     VIEWS,
     Wishes,
 )
-from kitemj.controls.keys import KEYS, REPLAY_KEYS, TOGGLES
+from kitemj.controls.keys import KEYS, MENU_KEYS, REPLAY_KEYS, TOGGLES
 from kitemj.controls.pads import STANDARD
 
 STEERING = {pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN}
@@ -41,17 +44,23 @@ def test_each_instrument_has_its_key():
     for key, name in zip(TOGGLES, INSTRUMENTS, strict=True):
         wishes = Wishes()
         wishes.ask([KEYS[key]])
+        assert wishes.depth == "engineer", "where single instruments are"
+        assert wishes.shown == set(INSTRUMENTS)
+        wishes.ask([KEYS[key]])
         assert wishes.shown == set(INSTRUMENTS) - {name}
         wishes.ask([KEYS[key]])
         assert wishes.shown == set(INSTRUMENTS)
 
 
-def test_all_instruments_or_none():
-    wishes = Wishes()
-    wishes.ask(["toggle knob", "instruments"])
-    assert wishes.shown == set()
-    wishes.ask(["instruments"])
-    assert wishes.shown == set(INSTRUMENTS)
+def test_depths_go_round_and_keep_what_was_chosen():
+    wishes, seen = Wishes(), []
+    for _ in DEPTHS:
+        seen.append(wishes.depth)
+        wishes.ask(["instruments"])
+    assert tuple(seen) == DEPTHS == ("pilot", "engineer", "none")
+    wishes.ask(["instruments", "toggle knob", *["instruments"] * 3])
+    assert wishes.depth == "engineer"
+    assert wishes.shown == set(INSTRUMENTS) - {"knob"}
 
 
 def test_rates_and_pause():
@@ -108,3 +117,20 @@ def test_every_action_of_a_replay_has_a_key_and_stands_on_its_page():
     for name in names:
         keys = [key for key, asked in REPLAY_KEYS.items() if asked == name]
         assert any(pygame.key.name(key)[:3] in page for key in keys), name
+
+
+def test_a_pad_watches_and_chooses_with_the_buttons_that_it_has_in_flight():
+    flying = set(STANDARD.values())
+    assert flying >= set(REPLAY_BUTTONS) - {"sound"}
+    assert set(REPLAY_BUTTONS.values()) <= {action.name for action in REPLAY_ACTIONS}
+    assert flying >= set(MENU_BUTTONS)
+    assert set(MENU_BUTTONS.values()) <= set(MENU_KEYS.values())
+
+
+def test_sound_is_a_state_and_watching_a_deed():
+    wishes = Wishes()
+    wishes.ask(["sound", "watch"])
+    assert not wishes.sound
+    assert wishes.taken()[0] == ["watch"]
+    wishes.ask(["sound"])
+    assert wishes.sound

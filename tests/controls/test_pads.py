@@ -273,3 +273,22 @@ def test_layouts_that_are_none(table, says):
     assert says in str(error.value)
     assert "(file.toml)" in str(error.value)
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("kind", [VirtualPad, OddPad])
+def test_the_steering_pad_shakes_and_no_other(kind):
+    pygame.joystick.init()
+    pads = [kind(), kind()]
+    guid = pygame.joystick.Joystick(0).get_guid()
+    layout = layout_of({"name": "odd", "steer": "axis 0"}, "pads", "test")
+    seat = Seat(Settings(Feel(dead_zone=0.0), pads={guid: layout} if kind is OddPad else {}))
+    seat.look()
+    pads[1].axis(0, 1.0)
+    seat.look()
+    seat.stick.rumble(0.25, 0.75)
+    assert pads[1].shaken[-1] == pytest.approx((0.25, 0.75), abs=1e-4)
+    assert pads[0].shaken == []
+
+
+def test_rumble_without_a_pad_is_nothing(seat):
+    seat.stick.rumble(1.0, 1.0)

@@ -56,7 +56,7 @@ def test_the_file_is_where_the_system_keeps_such_files(monkeypatch, tmp_path):
 def test_a_whole_file(path):
     path.write_text(WHOLE)
     assert read_settings(path) == Settings(
-        Feel(0.2, 0.5, True), StickLaw.RATE, Invert(False, True), {}
+        Feel(0.2, 0.5, True), StickLaw.RATE, Invert(False, True), True, {}
     )
 
 
@@ -112,7 +112,7 @@ def test_a_new_file_tells_the_defaults(path):
     assert path.read_text().startswith(NEW_FILE)
     told = "\n".join(line.removeprefix("# ") for line in NEW_FILE.splitlines()[1:])
     assert settings_of(tomllib.loads(told), "the new file") == Settings()
-    assert set(tomllib.loads(told)) == {*Feel._fields, "law", "invert"}
+    assert set(tomllib.loads(told)) == {*Feel._fields, "law", "invert", "sound"}
 
 
 def test_a_folder_is_made_and_a_link_stays_a_link(tmp_path):
@@ -144,3 +144,10 @@ def test_the_newest_notice_is_shown_and_an_older_one_comes_back():
     assert notices.newest == "long"
     now[0] = 21.0
     assert notices.newest == ""
+
+
+def test_sound_is_on_unless_the_file_says_not():
+    assert Settings().sound
+    assert not settings_of({"sound": False}, "test").sound
+    with pytest.raises(InputError, match=r"sound must be true or false, got 'no' \(test\)"):
+        settings_of({"sound": "no"}, "test")

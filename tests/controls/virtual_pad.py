@@ -2,6 +2,7 @@
 
 import ctypes
 from ctypes import (
+    CFUNCTYPE,
     POINTER,
     Structure,
     c_char_p,
@@ -15,6 +16,9 @@ from ctypes import (
 from pathlib import Path
 
 import pygame
+
+RUMBLE = CFUNCTYPE(c_int, c_void_p, c_uint16, c_uint16)
+"""Of the low motor and of the high one, 0..65535; returns 0."""
 
 GAME_CONTROLLER, XBOX_VENDOR, XBOX_PRODUCT = 1, 0x045E, 0x028E
 
@@ -37,7 +41,7 @@ class Description(Structure):
         ("userdata", c_void_p),
         ("Update", c_void_p),
         ("SetPlayerIndex", c_void_p),
-        ("Rumble", c_void_p),
+        ("Rumble", RUMBLE),
         ("RumbleTriggers", c_void_p),
         ("SetLED", c_void_p),
         ("SendEffect", c_void_p),
@@ -69,6 +73,8 @@ class VirtualPad:
     def __init__(self, name: str = "virtual pad") -> None:
         assert pygame.joystick.get_init()
         self._sdl = sdl()
+        self.shaken: list[tuple[float, float]] = []
+        self._rumble = RUMBLE(self._shake)  # SDL calls it for as long as the pad is there
         description = Description(
             version=1,
             type=self.kind,
@@ -80,6 +86,7 @@ class VirtualPad:
             button_mask=(1 << self.buttons) - 1,
             axis_mask=(1 << self.axes) - 1,
             name=name.encode(),
+            Rumble=self._rumble,
         )
         index = self._sdl.SDL_JoystickAttachVirtualEx(ctypes.byref(description))
         assert index >= 0, "SDL could not make a virtual joystick"
@@ -88,6 +95,10 @@ class VirtualPad:
         for number in self.triggers:
             self.axis(number, -1.0)
         self._sdl.SDL_JoystickUpdate()  # SDL takes what an axis says first for its rest
+
+    def _shake(self, _: int, low: int, high: int) -> int:
+        self.shaken.append((low / 65535, high / 65535))
+        return 0
 
     def axis(self, number: int, x: float) -> None:
         """Moves an axis to `x` in -1..1."""

@@ -3,19 +3,21 @@
 import pygame
 import pytest
 
-from kitemj.controls.actions import PANELS
-from kitemj.drawing.alarms import Alarm, paint_banner
+from kitemj.drawing.alarms import Alarm
 from kitemj.drawing.colours import CALL, GOOD, LEFT, RIGHT
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.lesson_panel import (
+    ARROWS,
     FLY_AGAIN,
     HEIGHT,
+    START_AGAIN,
+    _card,
     _fitting,
     beside,
     paint_lesson,
     paint_touch,
 )
-from kitemj.drawing.picture import INSET
+from kitemj.drawing.toast import paint_alarm, paint_message
 from kitemj.flight.limits import GROUND, Departure
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.pilots.course import NEVER_MIND, LessonStatus
@@ -38,23 +40,19 @@ FELL = Alarm(Departure(3.5, GROUND, "30 m/s of air"))
 
 
 class Cockpit:
-    """A grey frame with the places of the instruments, none of them painted."""
+    """A grey frame with room for what is said, no instruments."""
 
     def __init__(self, size: tuple[int, int] = (1280, 720)) -> None:
         self.surface = pygame.Surface(size)
         self.surface.fill(GREY)
         self.instruments = Instruments(SPORT, *size)
         self.unit = self.instruments.u
-        inset = pygame.Rect(0, 0, int(INSET * 1280 * self.unit), int(INSET * 720 * self.unit))
-        inset.topright = size[0] - int(12 * self.unit), int(12 * self.unit)
-        self.taken = [inset, *(self.instruments.box(name) for name in PANELS)]
 
-    def room(self, near: bool) -> pygame.Rect:
-        return self.instruments._room(near)
+    def room(self, depth: str = "pilot") -> pygame.Rect:
+        return self.instruments.room(depth)
 
-    def lesson(self, near: bool = True, **how: object) -> pygame.Rect:
-        status = LESSON._replace(**how)
-        return paint_lesson(self.surface, self.room(near), self.unit, status, near)
+    def lesson(self, depth: str = "pilot", **how: object) -> pygame.Rect:
+        return paint_lesson(self.surface, self.room(depth), self.unit, LESSON._replace(**how))
 
     def columns(self, box: pygame.Rect, colour: tuple[int, int, int]) -> list[int]:
         """Those in `box` where something has this colour."""
@@ -67,41 +65,38 @@ def apart(boxes: list[pygame.Rect]) -> bool:
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("near", [True, False], ids=["near", "far"])
-def test_lesson_banner_and_card_are_clear_of_each_other_and_of_the_instruments(
-    size: tuple[int, int], near: bool
-) -> None:
+@pytest.mark.parametrize("depth", ["pilot", "engineer"])
+def test_lesson_card_and_toasts_stand_over_each_other(size: tuple[int, int], depth: str) -> None:
     cockpit = Cockpit(size)
-    lesson = cockpit.lesson(near)
-    left = beside(cockpit.room(near), lesson, cockpit.unit)
-    banner = paint_banner(cockpit.surface, left, cockpit.unit, FELL, "the gamepad is gone", near)
-    middle = cockpit.room(True)  # its columns are free in every view
-    middle.height -= round(36 * cockpit.unit)  # the legend of the arrows
-    left = beside(middle, lesson.union(banner), cockpit.unit)
-    card = paint_touch(cockpit.surface, left, cockpit.unit, CRASH)
-    boxes = [lesson, banner, card]
+    surface, unit, room = cockpit.surface, cockpit.unit, cockpit.room(depth)
+    boxes = [cockpit.lesson(depth)]
+    left = beside(room, boxes[-1], unit)
+    boxes.append(paint_touch(surface, left, unit, CRASH))
+    left = beside(left, boxes[-1], unit)
+    boxes.append(paint_alarm(surface, left, unit, FELL, numbers=True))
+    left = beside(left, boxes[-1], unit)
+    boxes.append(paint_message(surface, left, unit, "the gamepad is gone"))
     assert apart(boxes)
-    assert all(box.collidelist(cockpit.taken) < 0 for box in boxes)
-    assert all(cockpit.surface.get_rect().contains(box) for box in boxes)
-    assert left.inflate(2, 2).contains(card)
+    assert all(room.contains(box) for box in boxes)
+    assert [box.bottom for box in boxes] == sorted((b.bottom for b in boxes), reverse=True)
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("near", [True, False], ids=["near", "far"])
-def test_every_advice_fits_in_two_lines(size: tuple[int, int], near: bool) -> None:
+@pytest.mark.parametrize("depth", ["pilot", "engineer"])
+def test_every_advice_fits_in_two_lines(size: tuple[int, int], depth: str) -> None:
     cockpit = Cockpit(size)
     for text in LONGEST:
-        room = cockpit.room(near).width / cockpit.unit - 28
+        room = cockpit.room(depth).width / cockpit.unit - 2 * ARROWS
         digits, lines = _fitting(text, room, cockpit.unit)
         assert len(lines) <= 2, lines
         assert " ".join(lines) == text
-        assert digits >= 18
+        assert digits >= 16
 
 
-@pytest.mark.parametrize("near", [True, False], ids=["near", "far"])
-def test_nothing_is_painted_outside_the_lesson(near: bool) -> None:
+@pytest.mark.parametrize("depth", ["pilot", "engineer"])
+def test_nothing_is_painted_outside_the_lesson(depth: str) -> None:
     cockpit = Cockpit()
-    box = cockpit.lesson(near)
+    box = cockpit.lesson(depth)
     assert box.height == pytest.approx(HEIGHT * cockpit.unit, abs=1)
     assert cockpit.surface.get_at(box.center)[:3] != GREY
     cockpit.surface.fill(GREY, box)
@@ -146,15 +141,15 @@ def test_praise_is_green_and_advice_is_not() -> None:
 def test_a_crash_calls_and_a_landing_is_green() -> None:
     for touch, colour, other in ((CRASH, CALL, GOOD), (SOFT, GOOD, None)):
         cockpit = Cockpit()
-        box = paint_touch(cockpit.surface, cockpit.room(True), cockpit.unit, touch)
-        assert cockpit.surface.get_at((box.left + 1, box.centery))[:3] == colour
+        box = paint_touch(cockpit.surface, cockpit.room(), cockpit.unit, touch)
+        assert cockpit.surface.get_at((box.centerx, box.top + 8))[:3] == colour
         assert other is None or not cockpit.columns(box, other)
 
 
 def test_a_card_without_much_room_is_smaller() -> None:
     cockpit = Cockpit()
-    wide = paint_touch(cockpit.surface, cockpit.room(True), cockpit.unit, CRASH)
-    room = pygame.Rect(400, 300, 500, 180)
+    wide = paint_touch(cockpit.surface, cockpit.room(), cockpit.unit, CRASH)
+    room = pygame.Rect(400, 300, 700, wide.height - 20)
     small = paint_touch(cockpit.surface, room, cockpit.unit, CRASH)
     assert wide.height > room.height
     assert room.contains(small)
@@ -162,5 +157,25 @@ def test_a_card_without_much_room_is_smaller() -> None:
 
 def test_what_is_left_is_the_larger_part() -> None:
     room = pygame.Rect(100, 50, 300, 400)
-    assert beside(room, pygame.Rect(120, 50, 50, 100), 1.0) == pygame.Rect(100, 158, 300, 292)
-    assert beside(room, pygame.Rect(120, 350, 50, 100), 1.0) == pygame.Rect(100, 50, 300, 292)
+    assert beside(room, pygame.Rect(120, 50, 50, 100), 1.0) == pygame.Rect(100, 160, 300, 290)
+    assert beside(room, pygame.Rect(120, 350, 50, 100), 1.0) == pygame.Rect(100, 50, 300, 290)
+
+
+def test_a_lesson_that_waits_for_another_flight_says_so_on_the_card() -> None:
+    waits = LESSON._replace(down=True, advice=NEVER_MIND)
+    for lesson, last in (
+        (None, START_AGAIN),
+        (LESSON, START_AGAIN),
+        (waits, f"{NEVER_MIND}. {FLY_AGAIN}"),
+        (waits._replace(advice=CRASH.damage), FLY_AGAIN),
+    ):
+        cockpit, plain = Cockpit(), Cockpit()
+        room = cockpit.room()
+        paint_touch(cockpit.surface, room, 1.0, CRASH, lesson)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr("kitemj.drawing.lesson_panel.START_AGAIN", last)
+            paint_touch(plain.surface, room, 1.0, CRASH)
+        assert pygame.image.tobytes(cockpit.surface, "RGB") == pygame.image.tobytes(
+            plain.surface, "RGB"
+        )
+    assert _card(CRASH, START_AGAIN, 900.0, 1.0)[-1][0] == START_AGAIN

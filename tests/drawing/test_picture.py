@@ -4,15 +4,13 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
-import pygame
 import pytest
 from numpy.typing import NDArray
 
 from kitemj.controls.actions import VIEWS
-from kitemj.drawing.instruments import NUMBER, _length
+from kitemj.drawing.flight_panels import length
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
-from kitemj.drawing.text import put
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.physics.frames import Angles
@@ -20,7 +18,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector, plus, unrotated
 from kitemj.scene.canopy import canopy, surface_point
 from kitemj.scene.gl import NoGraphics
-from kitemj.scene.scene import hanging
+from kitemj.scene.lines import hanging
 from kitemj.scene.scenery import ring_step
 from tests.scene.motions import EQUILIBRIUM, LAKSA, SPORT, motion_at
 
@@ -34,6 +32,7 @@ def picture() -> Iterator[Picture]:
     except NoGraphics as reason:
         pytest.skip(str(reason))
     with opened:
+        opened.depth = "engineer"
         yield opened
 
 
@@ -131,10 +130,10 @@ def test_a_slack_line_hangs_and_says_so(picture: Picture) -> None:
 @pytest.mark.parametrize("view", VIEWS)
 def test_every_view_paints_ground_sky_and_inset(picture: Picture, view: str) -> None:
     frame = picture.paint(motion_at(LAKSA, EQUILIBRIUM), None, QUIET, view).astype(int)
-    ground, sky = frame[590, 640], frame[20, 500]
+    ground, sky = frame[579, 640], frame[20, 500]
     assert ground[1] > ground[2]
     assert sky[2] > sky[1] > sky[0] or view == "top"
-    edge = frame[11, 1000:1200]
+    edge = frame[11, 1000:1200]  # of the small view
     assert edge.min() > 225, "the frame of the small view"
 
 
@@ -218,7 +217,7 @@ def test_readings_are_seen(picture: Picture) -> None:
     ],
 )
 def test_the_gap_is_shown_in_a_unit_that_suits_it(metres: float, text: str) -> None:
-    assert _length(metres) == text
+    assert length(metres) == text
 
 
 def test_rings_are_round_numbers_apart() -> None:
@@ -230,6 +229,24 @@ def test_wrong_wishes_are_sentences(picture: Picture) -> None:
         picture.paint(motion_at(LAKSA, EQUILIBRIUM), None, QUIET, "cockpit")
     with pytest.raises(InputError, match="too small"):
         Picture(LAKSA, 100, 100)
+    picture.depth = "all"
+    with pytest.raises(InputError, match="no instruments 'all'; there are: pilot, engineer, none"):
+        picture.paint(motion_at(LAKSA, EQUILIBRIUM), None, QUIET)
+    picture.depth = "engineer"
+
+
+def test_a_picture_that_is_resized_is_as_one_of_that_size(picture: Picture) -> None:
+    motion = motion_at(LAKSA, EQUILIBRIUM)
+    before = picture.paint(motion, None, QUIET)
+    with Picture(LAKSA, 1600, 900) as other:
+        other.depth = "engineer"
+        fresh = other.paint(motion, None, QUIET)
+    picture.resize(1600, 900)
+    assert np.array_equal(picture.paint(motion, None, QUIET), fresh)
+    with pytest.raises(InputError, match="too small"):
+        picture.resize(100, 100)
+    picture.resize(1280, 720)
+    assert np.array_equal(picture.paint(motion, None, QUIET), before)
 
 
 def test_another_size_and_a_second_close() -> None:
@@ -240,10 +257,3 @@ def test_another_size_and_a_second_close() -> None:
     except NoGraphics as reason:
         pytest.skip(str(reason))
     small.close()
-
-
-def test_no_number_is_smaller_than_a_phone_can_show() -> None:
-    surface = pygame.Surface((80, 80))
-    put(surface, "0", 10, 40, NUMBER)
-    rows = np.flatnonzero(pygame.surfarray.array2d(surface).any(axis=0))
-    assert np.ptp(rows) + 1 >= 22

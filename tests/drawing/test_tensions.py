@@ -12,7 +12,7 @@ from kitemj.drawing.panel import Panel
 from kitemj.drawing.tensions import BAR, FASTEST, ROOM, Scale, paint_tensions, scale_of
 from kitemj.physics.parameter_files import parameter_set, set_names
 from kitemj.physics.rig import TWO_LINES
-from tests.drawing.test_picture import EQUILIBRIUM, LAKSA, motion_at
+from tests.scene.motions import EQUILIBRIUM, LAKSA, motion_at
 from tests.support import pulling
 
 CALM = motion_at(LAKSA, EQUILIBRIUM)
@@ -57,7 +57,7 @@ def test_the_bar_is_as_long_as_the_scale_says():
 def test_marks_stand_at_rest_and_at_the_ceiling_where_it_is_on_the_bar():
     thesis = parameter_set("thesis")
     for parameters, tall in ((SPORT, [1 / FASTEST]), (thesis, [(44.745 / 600) ** 0.5, 1.0])):
-        row = painted(1e-3, parameters)[:, 40]
+        row = painted(1e-3, parameters)[:, 38]
         found = np.flatnonzero((row == WHITE).all(axis=1)).reshape(-1, 2)
         found = found[(found[:, 0] > BAR) & (found[:, 0] < BAR + ROOM)]
         assert (found.mean(axis=1) - BAR) / ROOM == pytest.approx(np.array(tall), abs=0.01)

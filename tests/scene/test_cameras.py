@@ -1,10 +1,14 @@
 """Where the cameras of the views stand, and how they move."""
 
+from inspect import signature
 from math import cos, pi, sin
 
 import pytest
 
-from kitemj.controls.actions import VIEWS
+import kitemj
+from kitemj.cockpit.filming import FilmStyle
+from kitemj.controls.actions import VIEWS, Wishes
+from kitemj.drawing.picture import Picture
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import minus, norm
@@ -33,7 +37,7 @@ def test_the_chase_camera_holds_in_any_attitude(overrides: dict[str, dict[str, f
         at = views.pixel(camera, motion.body.p_G_E, 1280, 720)
         if motion.body.p_G_E.z < 0:
             assert 500 < at.column < 780
-            assert 380 < at.row < 480
+            assert 300 < at.row < 370, "near the middle, but for an eye at the ground"
         assert camera.forward.x < 0, "downwind, so that +y_E stays on the left"
 
 
@@ -46,11 +50,17 @@ def test_the_chase_camera_moves_without_a_jump() -> None:
     for m, n, a, b in zip(motions[:-1], motions[1:], cameras[:-1], cameras[1:], strict=True):
         moved = norm(minus(n.body.p_G_E, m.body.p_G_E))
         assert norm(minus(b.position, a.position)) < 1.1 * moved + 0.01
-        assert norm(minus(b.forward, a.forward)) < 0.05
+        assert norm(minus(b.forward, a.forward)) < 3.0 * moved / LAKSA.lines.length + 1e-3
 
 
-def test_every_view_that_can_be_asked_for_has_a_camera():
+def test_every_view_that_can_be_asked_for_has_a_camera() -> None:
     assert (*views.CAMERAS, "orbit") == VIEWS
+
+
+def test_the_pilot_view_is_the_first_and_the_one_that_is_not_asked_for() -> None:
+    assert VIEWS[0] == Wishes().view == FilmStyle().view == "pilot"
+    for function in (kitemj.film, Picture.paint):
+        assert signature(function).parameters["view"].default == "pilot"
 
 
 def test_the_orbit_goes_round_and_near_and_is_kept_within_bounds() -> None:

@@ -1,0 +1,193 @@
+"""The first minute: a menu that keys, pads and the mouse use alike, and what is behind it."""
+
+import os
+from itertools import pairwise
+
+import numpy as np
+import pygame
+import pytest
+
+from kitemj.cockpit.demonstration import Demonstration
+from kitemj.cockpit.home import Doors, Home
+from kitemj.cockpit.menu import Entry, Menu
+from kitemj.cockpit.screens import Window, display_found
+from kitemj.cockpit.title import Title
+from kitemj.cockpit.title_page import paint_title
+from kitemj.controls.settings import Settings
+from kitemj.controls.stick import PersonStick
+from kitemj.drawing.picture import Picture
+from kitemj.flight.scenario import scenario_of
+from kitemj.recording.recorder import latest
+from tests.controls.virtual_pad import VirtualPad
+
+SIZE = (640, 360)
+SPORT = scenario_of({"set": "sport", "duration": 60.0}, "test")
+
+
+def menu():
+    return Menu(
+        [
+            Entry("fly", "Fly"),
+            Entry("replay", "Watch", open=False),
+            Entry("kite", "Kite", "a kite", offers=("laksa", "sport", "thesis"), offer=1),
+            Entry("leave", "Leave"),
+        ]
+    )
+
+
+def asked(*actions):
+    made = menu()
+    for action in actions:
+        made.ask(action)
+    return made
+
+
+def test_a_menu_goes_round_over_what_is_open():
+    marks = [asked(*["down"] * n).entry.key for n in range(4)]
+    assert marks == ["fly", "kite", "leave", "fly"]
+    assert asked("up").entry.key == "leave"
+    assert asked("left", "nonsense", "").chosen == ""
+
+
+def test_choosing_takes_an_entry_or_turns_what_it_offers():
+    assert asked("choose").chosen == "fly"
+    for actions, offered in ((["choose"], "thesis"), (["left"], "laksa"), (["left"] * 2, "thesis")):
+        made = asked("down", *actions)
+        assert (made.chosen, made.entry.offered) == ("kite", offered)
+    assert asked("leave").chosen == "leave"
+
+
+def test_a_menu_never_marks_what_is_shut():
+    assert Menu(menu().entries, 1).entry.key == "kite"
+
+
+@pytest.fixture
+def window(monkeypatch):
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
+    assert display_found()
+    window = Window(*SIZE, "test", PersonStick(Settings(), SPORT.parameters))
+    yield window
+    window.close()
+    pygame.display.quit()
+
+
+@pytest.fixture
+def title(window):
+    with Picture(SPORT.parameters, *SIZE) as picture:
+        yield Title(picture, window, menu(), Demonstration(SPORT))
+
+
+def mouse(kind, at, **more):
+    pygame.event.post(pygame.event.Event(kind, pos=at, **more))
+
+
+def test_keys_mouse_and_pad_choose_alike(title):
+    title.paint()
+    leave = title._boxes[3].center
+    pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_DOWN))
+    title.poll()
+    assert title._menu.entry.key == "kite"
+    mouse(pygame.MOUSEMOTION, leave, rel=(0, 0), buttons=(0, 0, 0))
+    title.poll()
+    assert title._menu.entry.key == "leave"
+    mouse(pygame.MOUSEBUTTONDOWN, title._boxes[1].center, button=1)
+    title.poll()
+    assert (title._menu.entry.key, title._menu.chosen) == ("leave", ""), "the shut one stays shut"
+    pad = VirtualPad()
+    title.poll()
+    pad.axis(1, 1.0)
+    for _ in range(3):
+        title.poll()
+    assert title._menu.entry.key == "fly", "one step for a push, however long"
+    pad.button(0, True)
+    title.poll()
+    assert title._menu.chosen == "fly"
+    pad.unplug()
+
+
+def test_a_click_chooses_and_closing_the_window_leaves(title):
+    title.paint()
+    mouse(pygame.MOUSEBUTTONDOWN, title._boxes[0].center, button=1)
+    assert title.run() == "fly"
+    title._menu.chosen = ""
+    pygame.event.post(pygame.event.Event(pygame.QUIT))
+    assert title.run() == "leave"
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1280, 720), (640, 360), (320, 180)])
+def test_entries_lie_in_the_frame_one_below_the_other(size):
+    surface = pygame.Surface(size)
+    surface.fill((160, 200, 250))
+    boxes = paint_title(surface, menu(), "a sentence " * 8)
+    for above, below in pairwise(boxes):
+        assert above.bottom <= below.top + 1
+    assert all(surface.get_rect().contains(box) for box in boxes)
+    pixels = pygame.surfarray.array3d(surface)
+    assert np.array_equal(pixels[-1, 0], (160, 200, 250)), "the kite's side is as it was"
+
+
+def test_the_demonstration_flies_and_begins_anew_after_the_ground(monkeypatch):
+    show = Demonstration(SPORT)
+    show.advance(0.05)
+    assert show.motion.t == pytest.approx(0.05)
+    show.advance(3.0)
+    assert show.motion.t == pytest.approx(0.15), "a long frame is not caught up with"
+    monkeypatch.setattr("kitemj.cockpit.demonstration.touches_ground", lambda *_: True)
+    show.advance(0.01)
+    assert show.motion.t == 0.0
+
+
+def test_latest_is_the_flight_last_written_here(tmp_path):
+    assert latest(tmp_path) is None
+    for age, name in enumerate(("kitemj-2.arrows", "kitemj-1.arrows", "mine.arrows")):
+        (tmp_path / name).touch()
+        os.utime(tmp_path / name, (1000 + age, 1000 + age))
+    assert latest(tmp_path) == tmp_path / "kitemj-1.arrows"
+
+
+class Child:
+    """A process that only remembers that it was let go."""
+
+    closed = 0
+
+    def close(self):
+        Child.closed += 1
+
+
+def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypatch, tmp_path):
+    """Fly, then lessons, another kite, fly that, leave: in one window."""
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("kitemj.cockpit.home.launch", Child)
+    assert display_found()
+    flown, surfaces = [], set()
+    wanted = iter(["fly", "lessons", "kite", "fly", "leave"])
+
+    def scenario(kite):
+        return scenario_of({"set": kite, "duration": 60.0}, kite)
+
+    def window(flying):
+        return Window(*SIZE, "test", PersonStick(Settings(), flying.parameters))
+
+    def fly(kite, lessons, child, kept):
+        assert kept.picture.parameters == scenario(kite).parameters
+        flown.append((kite, lessons, kept.sound))
+        kept.sound = False
+        return len(flown)
+
+    def run(title):
+        surfaces.add(pygame.display.get_surface())
+        key = next(wanted)
+        title._menu.marked = [entry.key for entry in title._menu.entries].index(key)
+        title._menu.ask("choose")
+        return title._menu.chosen
+
+    monkeypatch.setattr(Title, "run", run)
+    doors = Doors(scenario, window, fly, lambda: (2, 7))
+    assert Home(doors, "sport", SIZE, sound=True).run(Child()) == 3
+    assert flown == [("sport", False, True), ("sport", True, False), ("thesis", False, False)]
+    assert len(surfaces) == 1
+    assert Child.closed == 1, "the one that flew nothing"
+    pygame.display.quit()
