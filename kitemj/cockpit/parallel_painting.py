@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from kitemj.child import Child
 from kitemj.closing import Closing
+from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.plates import paint_plate
 from kitemj.drawing.readings import Readings
@@ -68,6 +69,9 @@ class Painter(Closing):
         self._pictures = [Picture(each, across, stage.size[1], "film") for each in stage.parameters]
         for picture in self._pictures:
             picture.depth = stage.instruments
+        instruments = Instruments(stage.parameters[0], across, stage.size[1])
+        below = instruments.box("arrows").bottom if stage.instruments == "engineer" else 0
+        self._below, self._unit = below, instruments.u
 
     def paint(self, shots: Sequence[Shot]) -> Frame:
         """The frame (height, width, 3) of a shot of each flight, side by side."""
@@ -79,7 +83,7 @@ class Painter(Closing):
         if len(parts) == 1:
             return parts[0]
         for part, caption in zip(parts, self._stage.captions, strict=True):
-            _write(part, caption)
+            _write(part, caption, self._below, self._unit)
             part[:, -1] = 255
         return np.concatenate(parts, axis=1)
 
@@ -177,14 +181,13 @@ def _paint(link: Connection, stage: Stage) -> None:
             link.send(error)
 
 
-def _write(frame: Frame, caption: str) -> None:
-    """Writes a caption in the middle of the upper edge, where no instrument is."""
+def _write(frame: Frame, caption: str, below: int, unit: float) -> None:
+    """Writes a caption at the left edge of a picture, `below` [px] its upper edge."""
     height, wide = frame.shape[:2]
-    unit = min(height / 720, wide / 1280)
-    size, room = 15 * min(1.6 * unit, height / 720), 0.42 * wide
-    size *= min(1.0, room / width(caption, size))
-    plate = pygame.Rect(0, 0, width(caption, size) + 2 * size, 2.4 * size)
-    plate.midtop = (wide // 2, round(12 * unit))
+    size = 18 * unit + 3
+    size *= min(1.0, 0.42 * wide / width(caption, size))
+    gap = round(12 * unit)
+    plate = pygame.Rect(gap, below + gap, width(caption, size) + 2 * size, 2.4 * size)
     surface = pygame.image.frombuffer(frame.data, (wide, height), "RGB")
     paint_plate(surface, plate, unit)
     put(surface, caption, plate.centerx, plate.centery, size, align=0.5)

@@ -4,9 +4,12 @@ import numpy as np
 import pytest
 
 from kitemj.cockpit.film_sources import film_source
-from kitemj.cockpit.parallel_painting import Painter, Painters, Stage, painted
+from kitemj.cockpit.parallel_painting import Painter, Painters, Shot, Stage, painted
 from kitemj.controls.actions import PANELS
+from kitemj.drawing.alarms import Alarm
+from kitemj.drawing.history import CHART_COLUMNS, Traces
 from kitemj.errors import NoGraphics
+from kitemj.flight.limits import SLACK, Departure
 
 SOURCE = film_source({"set": "sport", "duration": 0.1})
 SIZE = (1280, 360)
@@ -34,8 +37,15 @@ def test_painters_that_are_lost_again_and_again_are_a_sentence(
             painters.paint(SHOTS[0])
 
 
+def alarmed(shot: Shot) -> Shot:
+    """The shot with an alarm."""
+    alarm = Alarm(Departure(0.0, SLACK, "left -0.12 N, right 33.00 N"), 0.0)
+    empty = np.empty((0, 3)), 0.0, np.full(CHART_COLUMNS, 0.0), np.full(CHART_COLUMNS, 0.0)
+    return shot._replace(readings=shot.readings._replace(traces=Traces(*empty, alarm)))
+
+
 def test_captions_stand_where_no_instrument_is() -> None:
-    shot = SHOTS[0][0]
+    shot = alarmed(SHOTS[0][0])
     stage = Stage(
         (SOURCE.parameters,) * 2, ("sport: mujoco", "sport: lagrange"), SIZE, "side", "engineer"
     )
