@@ -151,7 +151,8 @@ def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None
     programme, window = _programme(args, setup.scenario), not args.headless and display_found()
     film, stays = args.film, setup.record is not None
     if not window:
-        film = film or (setup.record or timestamped_name()).with_suffix(".mp4")
+        unnamed = timestamped_name() if args.record else setup.record or timestamped_name()
+        film = film or unnamed.with_suffix(".mp4")
     if film:
         check_output(film, style, still=False, overwrite=args.overwrite)
     course = _course(args) if window else None
