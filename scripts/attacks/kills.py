@@ -49,7 +49,7 @@ COMMANDS = (
     Command(("compare", SCENARIO, "--markdown", "a.md"), 6.0, ("a.md",)),
     Command(("film", SCENARIO, "--output", "a.mp4", "--speed", "0.25", *SMALL), 6.0, ("a.mp4",)),
     Command(("film", SCENARIO, "--still", "1", "--output", "a.png"), 4.0, ("a.png",)),
-    Command(FLY, 4.0, ("a.mp4", "a.arrows")),
+    Command(FLY, 5.0, ("a.mp4", "a.arrows")),
     Command(("realtime", "--headless", "--duration", "2", *SMALL), 6.0),
     Command(("replay", "flown.arrows", "--export", "csv", "--output", "a.csv"), 1.2, TABLE),
     Command(("replay", "flown.arrows", "--model", "lagrange", "--headless"), 1.6),
