@@ -21,6 +21,8 @@ from kitemj.drawing.knob import HUB, OUTER
 from kitemj.drawing.picture import Picture
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
+from kitemj.physics.parameters import Parameters
+from kitemj.pilots.crash import Touch
 from kitemj.realtime.memory import peak_memory
 from kitemj.realtime.messages import TickNews
 from kitemj.realtime.process import FlightProcess
@@ -56,6 +58,12 @@ class TimedScreen(Screen):
         """Takes in what the person did since; a frame begins with that."""
         self._begun = time.perf_counter()
         self._screen.poll()
+
+    def sense(
+        self, parameters: Parameters, motion: Motion, touch: Touch | None, moving: bool
+    ) -> None:
+        """Lets the person hear and feel the motion."""
+        self._screen.sense(parameters, motion, touch, moving)
 
     def show(self, frame: Frame, wall: float) -> None:
         """Shows the frame."""

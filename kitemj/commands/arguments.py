@@ -92,6 +92,12 @@ def add_picture(parser: Parser, usual: str = "") -> None:
     parser.add_argument("--size", default=default, metavar="WxH", help=says)
 
 
+def add_quality(parser: Parser) -> None:
+    """``--quality``."""
+    says = "of the picture; auto: what this machine paints at 30 frames/s"
+    parser.add_argument("--quality", choices=QUALITY_NAMES, default="auto", help=says)
+
+
 def size(text: str) -> tuple[int, int]:
     """(width, height) [px] of a text like 1280x720; InputError for any other."""
     sides = re.fullmatch("([0-9]{1,5})x([0-9]{1,5})", text)

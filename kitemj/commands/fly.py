@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import (
     MODELS,
-    QUALITY_NAMES,
     SCENARIO,
     Parser,
     add_picture,
     add_pilot,
+    add_quality,
     add_step,
     size,
 )
@@ -65,8 +65,7 @@ def add(parser: Parser) -> None:
     parser.add_argument("--no-record", action="store_true", help="leave no recording")
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     add_picture(parser)
-    says = "of the picture; auto: what this machine paints at 30 frames/s"
-    parser.add_argument("--quality", choices=QUALITY_NAMES, default="auto", help=says)
+    add_quality(parser)
     add_step(parser)
 
 

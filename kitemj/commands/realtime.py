@@ -4,7 +4,8 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import Parser, add_picture, add_step, size
+from kitemj.commands.arguments import Parser, add_picture, add_quality, add_step, size
+from kitemj.controls.actions import DEPTHS
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -29,6 +30,9 @@ def add(parser: Parser) -> None:
     parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="also write the tables")
     says = "replace FILE.md if it exists"
     parser.add_argument("--overwrite", action="store_true", help=says)
+    says = "how much is shown over the view, default pilot"
+    parser.add_argument("--instruments", choices=DEPTHS, default=DEPTHS[0], help=says)
+    add_quality(parser)
     add_picture(parser)
     add_step(parser)
 
@@ -61,15 +65,16 @@ def run(args: argparse.Namespace) -> None:
     setup, stick = FlightSetup(scenario, "mujoco", "lagrange", args.step), show_of(parameters)
     with temporary_folder() as folder:
         physics = FlightProcess(setup._replace(record=folder / "flight.arrows"), launched)
-        with Picture(parameters, *pixels) as picture:
+        with Picture(parameters, *pixels, args.quality) as picture:
             physics.wait()
             timed = TimedScreen(_screen(args, parameters, window), stick, physics)
             flown = fly(physics, picture, timed, args.duration, args.called)
+            quality = picture.quality
             screen = _screen(args, parameters, window and display_found())
             steps = stick_steps(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
-    how = f"{args.size}, {where}, everything shown, recorded"
-    tables = [_flight_table(flown, timed, how), _stick_table(steps)]
+    how = f"{args.size}, {where}, view and instruments {args.view} and {args.instruments}, recorded"
+    tables = [_flight_table(flown, timed, how, quality), _stick_table(steps)]
     for table in tables:
         print_table(table)
     if args.markdown:
@@ -88,11 +93,11 @@ def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) ->
     if window:
         person = PersonStick(Settings(), parameters)
         screen = Window(*size(args.size), "kitemj realtime", person)
-    screen.wishes.view = args.view
+    screen.wishes.view, screen.wishes.depth = args.view, args.instruments
     return screen
 
 
-def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
+def _flight_table(flown: "Summary", timed: "TimedScreen", how: str, quality: str) -> "Table":
     from statistics import median
 
     from kitemj.tables import Cell, Table
@@ -107,6 +112,7 @@ def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
         ("frames a second, median", timed.median_rate),
         ("frames a second, in the slowest second", timed.slowest_rate),
         ("a frame took, median [ms]", 1e3 * median(timed.took)),
+        ("quality of the picture", quality),
         ("first frame [s]", flown.first_frame),
         ("memory gained after 10 s, both processes [MB]", timed.growth),
         ("largest gap to the reference [µm]", 1e6 * times.largest_gap),
