@@ -13,6 +13,8 @@ EXAMPLE = "kitemj film scenarios/loops_20m.toml --output kite.mp4"
 MOST = 2
 FINEST = 0.01
 """s; between two motions so close a still picture shows what lies between."""
+TRAIL = 1000
+"""Motions, at most, of which a still picture shows the trail."""
 
 
 def add(parser: Parser) -> None:
@@ -59,7 +61,9 @@ def run(args: argparse.Namespace) -> None:
     models: list[str | None] = args.model.split(",") if args.model else [None]
     if len(args.source) * len(models) > MOST:
         raise InputError(f"at most {MOST} flights stand side by side: two files, or two models")
-    interval = max(args.still or 1.0, FINEST) if is_still else style.speed / style.rate
+    interval = style.speed / style.rate
+    if is_still:
+        interval = max((args.still or 1.0) / TRAIL, min(args.still or 1.0, interval), FINEST)
     sources = [
         film_source(path, model, args.step, interval) for path in args.source for model in models
     ]

@@ -152,6 +152,7 @@ def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None
     if not window:
         unnamed = timestamped_name() if args.record else setup.record or timestamped_name()
         film = film or unnamed.with_suffix(".mp4")
+        style = style._replace(title=_title(setup.scenario))
     if film:
         check_output(film, style, still=False, overwrite=args.overwrite)
     course = _course(args) if window else None
@@ -229,6 +230,13 @@ def _fly_unseen(
     )
     physics.wait()
     return fly(physics, None, Screen(stick), duration, args.called)
+
+
+def _title(scenario: "Scenario") -> str:
+    """What a film is of, for those who did not see the flight."""
+    parameters = scenario.parameters
+    span, length = parameters.kite.span, parameters.lines.length
+    return f"A kite of {span:g} m on {length:g} m lines, wind {parameters.wind.speed:g} m/s"
 
 
 def _setup(args: argparse.Namespace) -> "FlightSetup":

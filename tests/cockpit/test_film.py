@@ -70,6 +70,15 @@ def test_a_film_for_pages_has_all_frames_in_their_colours_and_begins_anew(
             assert np.abs(picture.mean(axis=(0, 1)) - (level, 128, 255 - level)).max() < 12
 
 
+def test_a_gif_holds_no_more_than_a_run_of_frames(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gif_colours, "RUN", 4)
+    colours = gif_colours.GifColours(WIDTH, HEIGHT, 10)
+    done = [len(colours.add(frame(20 * number))) for number in range(10)]
+    assert done == [0, 0, 0, 4, 0, 0, 0, 4, 0, 0]
+    assert len(colours.rest()) == 2
+    assert colours.rest() == []
+
+
 def test_a_thin_red_line_in_a_wide_sky_is_red_in_a_gif(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -19,6 +19,8 @@ SHOTS = [[SOURCE.shot(t, 1.0)] for t in (0.0, 0.1)]
 
 def test_a_painter_that_is_lost_is_replaced_and_the_frame_is_the_same() -> None:
     here = list(painted(STAGE, SHOTS, workers=1))
+    for edge, beside in (np.s_[:, :2], np.s_[:, 2:4]), (np.s_[-2:], np.s_[-4:-2]):
+        assert here[0][edge].min(axis=2).mean() > 0.8 * here[0][beside].min(axis=2).mean()
     with Painters(STAGE, 1) as painters:
         painters._children[0].kill()
         assert np.array_equal(painters.paint(SHOTS[0]), here[0])

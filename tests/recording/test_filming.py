@@ -142,6 +142,13 @@ ASIDE = 0.01
 """deg; what is left of a direction when the eye looks at a kite that moved."""
 
 
+def test_a_simulated_flight_has_the_trail_of_what_was_shown_before():
+    source = film_sources.film_source({"set": "sport", "duration": 1.0}, interval=0.1)
+    trails = [source.shot(t, 1.0).readings.traces.trail for t in (0.5, 1.0, 0.2)]
+    assert [len(trail) for trail in trails] == [6, 11, 3], "back in time too"
+    assert (trails[2] == trails[1][:3]).all()
+
+
 def test_a_title_comes_and_goes_in_the_first_three_seconds(file, monkeypatch, tmp_path):
     reel, grey = Reel(), np.full((180, 320, 3), 120, np.uint8)
     monkeypatch.setattr(filming, "painted", lambda stage, shots, w: (grey for shot in shots))
@@ -179,7 +186,7 @@ def test_a_still_is_the_frame_of_that_moment(file, tmp_path):
     image = pygame.image.load(str(tmp_path / "a.png"))
     assert image.get_size() == SMALL
     source = RecordingSource(read_recording(file))
-    with Picture(source.parameters, *SMALL) as picture:
+    with Picture(source.parameters, *SMALL, "film") as picture:
         frame = picture.paint(*source.shot(2.2, 1.0)[:3])
     np.testing.assert_array_equal(pygame.surfarray.array3d(image).swapaxes(0, 1), frame)
 
