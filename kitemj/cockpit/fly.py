@@ -95,7 +95,7 @@ def fly(
                 screen.wishes.ask(screen.stick.actions(painting - begun))
             physics.ask(screen.stick.command(physics.result.motion))
             if "watch" in _grant(screen.wishes, physics, picture, course) and picture:
-                _watch(physics, picture, screen)
+                begun += _watch(physics, picture, screen)
             if course:
                 course.watch(physics.result.motion)
             moving = screen.wishes.pace > 0
@@ -149,22 +149,28 @@ def _grant(
     return others
 
 
-def _watch(physics: FlightProcess, picture: Picture, screen: Screen) -> None:
-    """Shows what was flown so far to the person, if there is one; the flight waits meanwhile."""
+def _watch(physics: FlightProcess, picture: Picture, screen: Screen) -> float:
+    """Shows what was flown so far to the person, if there is one; returns for how long [s].
+
+    The flight waits meanwhile.
+    """
+    begun = time.perf_counter()
     if not isinstance(screen, Window):
-        return
+        return 0.0
     if physics.record is None:
         screen.say("this flight is not recorded: there is nothing to watch again")
-        return
+        return 0.0
     physics.ask(Rate(0.0))
+    screen.sense(physics.parameters, physics.result.motion, physics.touch, moving=False)
     time.sleep(FLUSH + 0.1)  # until what was flown is on the disk
     try:
         replay = ReplayWindow(read_recording(physics.record), None, picture, screen)
     except InputError as error:
         screen.say(str(error))
-        return
+        return 0.0
     replay.player.seek(replay.player.duration - WATCHED)
     replay.run(meanwhile=physics.update)
+    return time.perf_counter() - begun
 
 
 def _readings(

@@ -62,7 +62,7 @@ class TimedScreen(Screen):
     def sense(
         self, parameters: Parameters, motion: Motion, touch: Touch | None, moving: bool
     ) -> None:
-        """Lets the person hear and feel the motion."""
+        """Lets the person hear and feel, which costs time too."""
         self._screen.sense(parameters, motion, touch, moving)
 
     def show(self, frame: Frame, wall: float) -> None:

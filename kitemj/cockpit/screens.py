@@ -26,10 +26,12 @@ class Screen:
     """Takes frames, and says what the person at it wants; this one shows them to nobody.
 
     `stick` is that of the person at it, `wishes` what they ask for; `size` [px] what frames
-    should have from now on, None: what they have.
+    should have from now on, None: what they have; `closed`: the window's own cross was pressed,
+    which ends more than a flight.
     """
 
     size: tuple[int, int] | None = None
+    closed = False
 
     def __init__(self, stick: Stick) -> None:
         self.stick, self.wishes = stick, Wishes()
@@ -176,6 +178,7 @@ class Window(Screen):
     def events(self) -> Iterator[tuple[pygame.event.Event, tuple[str, ...]]]:
         """All events since, each with the actions that a pad asks for by it."""
         for event in events():
+            self.closed |= event.type == pygame.QUIT
             yield event, self._person.handle(event)
 
     def poll(self) -> None:

@@ -35,6 +35,8 @@ NOTES = """\
 Left stick, arrow keys or A/D, or the mouse with its button held: the lines.
 W/S or the right stick: let out and take in. F1 shows all keys, Esc leaves."""
 
+LEARNT_ON = "trainer"
+"""The kite of the lessons, and of who names none."""
 SHOW_DURATION = 20.0
 """s; of a flight that nobody watches."""
 LONG = 20.0
@@ -44,8 +46,8 @@ LONG = 20.0
 def add(parser: Parser) -> None:
     """Adds its arguments."""
     parser.add_argument("scenario", type=Path, nargs="?", help=SCENARIO)
-    says = "without a scenario: sport, thesis, laksa, or a TOML file that changes one of them"
-    parser.add_argument("--kite", default="sport", metavar="SET", help=says)
+    says = "without a scenario: trainer, sport, thesis, laksa, or a TOML file that changes one"
+    parser.add_argument("--kite", default=LEARNT_ON, metavar="SET", help=says)
     parser.add_argument("--arm", type=float, metavar="M", help="arms of so much, which limits δ")
     parser.add_argument("--stick", type=Path, metavar="FILE.csv", help="a table flies, nobody else")
     add_pilot(parser)
@@ -205,7 +207,7 @@ def _fly_in_window(
             return fly(physics, picture, screen, args.duration, called, course)
         finally:
             if kept:
-                kept.sound = screen.wishes.sound
+                kept.note(screen)
 
 
 def _fly_unseen(
@@ -333,7 +335,7 @@ def _course(args: argparse.Namespace) -> "Course | None":
     from kitemj.pilots.course import Course
     from kitemj.pilots.progress import read_progress
 
-    if args.no_lessons or args.scenario or args.past or args.kite != "sport":
+    if args.no_lessons or args.scenario or args.past or args.kite != LEARNT_ON:
         return None
-    course = Course(parameter_set("sport"), () if args.lessons else read_progress().passed)
+    course = Course(parameter_set(LEARNT_ON), () if args.lessons else read_progress().passed)
     return course if course.lesson else None

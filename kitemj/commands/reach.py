@@ -11,7 +11,7 @@ EXAMPLE = "kitemj reach thesis --arm 0.25 --length 200"
 def add(parser: Parser) -> None:
     """Adds its arguments."""
     says = "a set, or a scenario"
-    parser.add_argument("kite", nargs="?", default="sport", metavar="SET|FILE", help=says)
+    parser.add_argument("kite", nargs="?", default="trainer", metavar="SET|FILE", help=says)
     parser.add_argument("--arm", type=float, metavar="M", help="to each side, default: the set's")
     parser.add_argument("--length", type=float, metavar="M", help="of each line, L₀")
     parser.add_argument("--attachments", type=float, metavar="M", help="between them, 2 Y_A")

@@ -24,7 +24,7 @@ EXAMPLE = "kitemj realtime --duration 600"
 
 def add(parser: Parser) -> None:
     """Adds its arguments."""
-    parser.add_argument("--kite", default="sport", metavar="SET", help="sport, thesis or laksa")
+    parser.add_argument("--kite", default="sport", metavar="SET", help="a set: sport, trainer, ...")
     parser.add_argument("--duration", type=float, default=60.0, metavar="S", help="of the flight")
     parser.add_argument("--headless", action="store_true", help="paint, but open no window")
     parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="also write the tables")

@@ -1,7 +1,7 @@
 """What a kite, its lines and its air are, in SI; each number with unit, meaning and limits.
 
 Immutable ``NamedTuple``s, so that the compiled formulas read them like Python does. Checking
-happens where a set is made (`kitemj.physics.parameter_files`); the two named sets are in
+happens where a set is made (`kitemj.physics.parameter_files`); the named sets are in
 ``kitemj/physics/sets/``.
 """
 

@@ -2,10 +2,11 @@
 
 A pilot sees one motion and answers with a command; it knows nothing of models or clocks.
 All steer by the nose: where it is to point follows from where the kite is, and the stick
-follows the error, eased by the rate of turn. Written for the set `sport` in 5 to 8 m/s.
+follows the error, eased by the rate of turn. Written for the sets `sport` and `trainer` in 5 to
+8 m/s.
 """
 
-from math import pi, radians
+from math import hypot, pi, radians
 from typing import Protocol
 
 from kitemj.dynamics.motion import Motion
@@ -93,22 +94,33 @@ class Land:
 
     At the edge the nose points out of the window, which is into the wind, and the kite meets
     little more air than the wind; how far the nose is below the horizontal is how fast it
-    sinks. It touches with the tip of its lower wing.
+    sinks. A kite that rights itself hangs there: its nose is pressed down until it sinks. It
+    touches with the tip of its lower wing.
     """
 
     def __init__(self, side: float = 1.0) -> None:
-        self._side = side
+        self._side, self._at_edge, self._pressed, self._t = side, False, 0.0, 0.0
 
     def command(self, motion: Motion) -> Command:
         """To the edge, then down."""
-        seen = sight(motion)
-        below = EDGE_HEIGHT if self._side * seen.azimuth < EDGE else 0.0
-        sink = max(-0.5, min(0.35, 1.2 * (seen.elevation - below)))
+        seen, v = sight(motion), motion.body.v_G_E
+        out, still = self._side * seen.azimuth, hypot(v.x, v.y, v.z) < STILL
+        self._at_edge |= out > EDGE or (out > ASIDE and still)
+        if self._at_edge:
+            more = PRESS * (SINK - v.z) * (motion.t - self._t)
+            self._pressed = max(0.0, min(DEEPEST, self._pressed + more))
+        self._t = motion.t
+        below = 0.0 if self._at_edge else EDGE_HEIGHT
+        sink = max(-0.5, min(0.35, 1.2 * (seen.elevation - below))) + self._pressed
         wish = self._side * (pi / 2 + sink)
         return steer(motion, turned(wish - seen.heading, self._side * pi / 4))
 
 
 EDGE = radians(62.0)
 """Azimuth beyond which a kite of usual glide has left the strong wind behind."""
+ASIDE, STILL = radians(30.0), 1.0
+"""rad of azimuth, m/s: so far out and so slow, a kite of much drag is at its edge."""
 EDGE_HEIGHT = radians(20.0)
 """Elevation of the way there."""
+SINK, PRESS, DEEPEST = 1.0, 0.3, 1.2
+"""m/s down at the edge; rad/s of the nose for each m/s that is missing, and rad at most."""

@@ -84,7 +84,7 @@ class Renderer(Closing):
 
     def _scaled(self, side: int) -> int:
         """A length [px] of the frame in what is rendered, which may be smaller."""
-        return max(round(self.quality.scale * side), 1)
+        return round(self.quality.scale * side)
 
     def resize(self, width: int, height: int) -> None:
         """Makes the next frames `width` x `height` pixels large."""

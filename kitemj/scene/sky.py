@@ -3,7 +3,6 @@
 All is a function of the direction, in the frame of the land: ahead (downwind), left, up.
 """
 
-from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from math import cos, sin
 
@@ -20,6 +19,7 @@ WARM = (1.0, 0.96, 0.86)
 CLOUD, SHADE = (1.0, 0.995, 0.98), (0.74, 0.80, 0.88)
 HILLS = ((0.66, 0.75, 0.82), (0.52, 0.63, 0.66), (0.40, 0.51, 0.45))  # far, nearer, near
 LOWEST = 0.15  # sine of the elevation up to which hills are looked for, both ways
+ROWS = 256  # that are painted at a time: numbers that stay near the processor
 TILE = 7.0  # cloud heights that a tile of clouds covers
 
 
@@ -38,26 +38,20 @@ def directions(side: int) -> NDArray[np.float32]:
 @lru_cache(maxsize=2)
 def sky(side: int, azimuth: float) -> NDArray[np.uint8]:
     """The cube's texture (6 side, side, 3) for a wind from `azimuth` [rad]."""
-    with ThreadPoolExecutor() as pool:  # numpy lets them run beside one another
-        faces = list(pool.map(lambda d: _face(d, azimuth), directions(side)))
-    return np.concatenate(faces)
-
-
-def _face(d: Field, azimuth: float) -> NDArray[np.uint8]:
-    """The picture (n, n, 3) of the texels in the directions (n, n, 3) [W]."""
-    turn = land_turn(azimuth)
-    c, s = np.float32(cos(turn)), np.float32(sin(turn))
-    image = np.empty(d.shape, np.uint8)
+    every = directions(side).reshape(6 * side, side, 3)
+    image = np.empty(every.shape, np.uint8)
     image[:] = 255 * np.array(HORIZON)
-    rows = np.flatnonzero(d[:, 0, 2] > -LOWEST)
-    if rows.size:
-        x, y, z = np.ascontiguousarray(np.moveaxis(d[rows], -1, 0))
+    rows = np.flatnonzero(every[:, 0, 2] > -LOWEST)
+    turn, grain = land_turn(azimuth), np.random.default_rng(5)
+    c, s = np.float32(cos(turn)), np.float32(sin(turn))
+    for few in np.array_split(rows, max(len(rows) // ROWS, 1)):
+        x, y, z = np.ascontiguousarray(np.moveaxis(every[few], -1, 0))
         size = np.sqrt(x * x + y * y + z * z)
         x, y, z = x / size, y / size, z / size
         colour = 255 * sky_colour(c * x + s * y, c * y - s * x, z)
         # a grain of one step hides the bands of eight bits
-        colour += np.random.default_rng(5).random(x.shape, np.float32)
-        image[rows] = np.moveaxis(np.clip(colour, 0, 255), 0, -1)
+        colour += grain.random(x.shape, np.float32)
+        image[few] = np.moveaxis(np.clip(colour, 0, 255), 0, -1)
     return image
 
 
@@ -80,11 +74,10 @@ def sky_colour(ahead: Field, left: Field, up: Field) -> Field:
 
 def _gradient(up: Field) -> Field:
     """RGB (3, ...) of the clear sky from a table of its sine of elevation."""
-    steps = np.linspace(0, 1, 257, dtype=np.float32)
+    steps = np.linspace(0, 1, 4096, dtype=np.float32)
     table = mixed(HORIZON, LOW, smooth(0.0, 0.30, steps) ** 0.6)
     table = mixed(table, ZENITH, smooth(0.04, 1.05, steps) ** 0.85)
-    channels = [np.interp(up, steps, channel).astype(np.float32) for channel in table]
-    return np.stack(channels)
+    return np.asarray(table.take((4095 * up).astype(np.int32), axis=1))
 
 
 def _with_clouds(colour: Field, ahead: Field, left: Field, up: Field) -> Field:

@@ -12,7 +12,7 @@ from kitemj.cockpit.home import Doors, Home
 from kitemj.cockpit.menu import Entry, Menu
 from kitemj.cockpit.screens import Window, display_found
 from kitemj.cockpit.title import Title
-from kitemj.cockpit.title_page import paint_title
+from kitemj.cockpit.title_page import _shade, paint_title
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
 from kitemj.drawing.picture import Picture
@@ -72,10 +72,15 @@ def window(monkeypatch):
     pygame.display.quit()
 
 
+@pytest.fixture(scope="module")
+def picture():
+    with Picture(SPORT.parameters, *SIZE, quality="low") as picture:
+        yield picture
+
+
 @pytest.fixture
-def title(window):
-    with Picture(SPORT.parameters, *SIZE) as picture:
-        yield Title(picture, window, menu(), Demonstration(SPORT))
+def title(window, picture):
+    return Title(picture, window, menu(), Demonstration(SPORT))
 
 
 def mouse(kind, at, **more):
@@ -146,24 +151,29 @@ def test_latest_is_the_flight_last_written_here(tmp_path):
     assert latest(tmp_path) == tmp_path / "kitemj-1.arrows"
 
 
-class Child:
-    """A process that only remembers that it was let go."""
+class Idle:
+    """A process, or a picture, that does nothing."""
 
-    closed = 0
+    width, height = SIZE
+
+    def __init__(self, parameters=None, *_):
+        self.parameters = parameters
 
     def close(self):
-        Child.closed += 1
+        pass
 
 
 def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypatch, tmp_path):
-    """Fly, then lessons, another kite, fly that, leave: in one window."""
+    """Be silent, fly, another kite, lessons, fly that one twice and close the window."""
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("kitemj.cockpit.home.launch", Child)
+    monkeypatch.setattr("kitemj.cockpit.home.launch", Idle)
+    monkeypatch.setattr("kitemj.cockpit.home.Picture", Idle)
+    monkeypatch.setattr("kitemj.cockpit.home.Demonstration", Idle)
     assert display_found()
     flown, surfaces = [], set()
-    wanted = iter(["fly", "lessons", "kite", "fly", "leave"])
+    wanted = iter(["fly", "kite", "lessons", "fly", "fly"])
 
     def scenario(kite):
         return scenario_of({"set": kite, "duration": 60.0}, kite)
@@ -174,10 +184,12 @@ def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypa
     def fly(kite, lessons, child, kept):
         assert kept.picture.parameters == scenario(kite).parameters
         flown.append((kite, lessons, kept.sound))
-        kept.sound = False
+        kept.closed = len(flown) == 4
         return len(flown)
 
     def run(title):
+        if not surfaces:
+            title._window.wishes.ask(["sound"])
         surfaces.add(pygame.display.get_surface())
         key = next(wanted)
         title._menu.marked = [entry.key for entry in title._menu.entries].index(key)
@@ -186,8 +198,37 @@ def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypa
 
     monkeypatch.setattr(Title, "run", run)
     doors = Doors(scenario, window, fly, lambda: (2, 7))
-    assert Home(doors, "sport", SIZE, sound=True).run(Child()) == 3
-    assert flown == [("sport", False, True), ("sport", True, False), ("thesis", False, False)]
+    home = Home(doors, "sport", SIZE, sound=True, quality="low")
+    assert home.run(Idle()) == 4
+    thesis = ("thesis", False, False)
+    assert flown == [("sport", False, False), ("sport", True, False), thesis, thesis]
     assert len(surfaces) == 1
-    assert Child.closed == 1, "the one that flew nothing"
     pygame.display.quit()
+
+
+def luminance(pixels):
+    """Relative luminance of sRGB colours (n, 3) in 0..255; WCAG 2.1."""
+    share = np.asarray(pixels, float) / 255
+    linear = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+    return linear @ (0.2126, 0.7152, 0.0722)
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1280, 720), (640, 360)])
+def test_what_is_written_is_legible_before_a_white_cloud(size):
+    """A contrast of 4.5 : 1 (WCAG 2.1, 1.4.3) where the page differs from its bare shade."""
+    made, white = menu(), pygame.Surface(size)
+    made.entries[3].says = "a sentence that is rather long, so that it fills its room"
+    made.marked = 3
+    white.fill((255, 255, 255))
+    paint_title(white, made)
+    bare = pygame.Surface(size)
+    bare.fill((255, 255, 255))
+    bare.blit(_shade(size), (0, 0))
+    written, ground = (pygame.surfarray.array3d(each).astype(int) for each in (white, bare))
+    changed = np.argwhere(np.abs(written - ground).max(axis=2) > 0)
+    assert changed[:, 0].max() < 0.45 * size[0], "nothing is written on the kite's side"
+    text = luminance(written[tuple(changed.T)])
+    behind = luminance(ground[tuple(changed.T)])
+    strokes = text >= np.quantile(text, 0.7)  # the rest are their soft edges
+    contrast = (text[strokes] + 0.05) / (behind[strokes] + 0.05)
+    assert contrast.min() >= 4.5

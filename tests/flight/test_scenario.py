@@ -139,5 +139,5 @@ def test_one_that_ships_is_found_by_its_name_from_anywhere(tmp_path, monkeypatch
     (tmp_path / "steer_200m").write_text("duration = 3.0")
     assert read_scenario("steer_200m").times.duration == 3.0, "a file of one's own comes first"
     assert parameters_named("sport") == parameter_set("sport")
-    with pytest.raises(InputError, match="sets: laksa, sport, thesis"):
+    with pytest.raises(InputError, match="sets: laksa, sport, thesis, trainer"):
         parameters_named("spork")
