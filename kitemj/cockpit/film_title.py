@@ -13,13 +13,13 @@ SHOWN = 3.0
 """s of the film."""
 FADE = 0.5
 """s in which it comes, and goes."""
-LEFT, FOOT, ROOM = 0.06, 0.72, 0.66
+LEFT, FOOT, ROOM = 0.06, 0.72, 0.6
 """Of the frame: where the lines begin, where the last one stands, how far they may go."""
 DIGIT = 1 / 24
 """Of the height, in a frame of 16:9: that of a digit."""
 SHADE = 0.58
 """Of the picture's light that is taken away behind the text: white is read over white clouds."""
-SOFT = (9.0, 3.5)
+SOFT = (6.0, 3.5)
 """Heights of a digit, to the right and up and down, in which that ends."""
 
 
@@ -39,7 +39,7 @@ def with_title(frame: Frame, title: str, opacity: float = 1.0) -> Frame:
     """A copy of the frame (height, width, 3) with `title` over it."""
     height, wide = frame.shape[:2]
     size = DIGIT * min(height, wide * 9 / 16)
-    lines, step = wrapped(title, ROOM * wide, size), 1.9 * size
+    lines, step = _even_lines(title, ROOM * wide, size), 1.9 * size
     first = FOOT * height - step * (len(lines) - 1)
     rule = pygame.Rect(round(LEFT * wide), round(first - size), max(2, round(size / 10)), 0)
     rule.height = round(FOOT * height + size - rule.top)
@@ -56,6 +56,14 @@ def with_title(frame: Frame, title: str, opacity: float = 1.0) -> Frame:
     layer.set_alpha(round(255 * opacity))
     pygame.image.frombuffer(lettered.data, (wide, height), "RGB").blit(layer, (0, 0))
     return lettered
+
+
+def _even_lines(title: str, room: float, size: float) -> tuple[str, ...]:
+    """The lines of `title`, as few as `room` [px] allows, the last about as long as the others."""
+    lines = wrapped(title, room, size)
+    narrow = 1.15 * width(title, size) / len(lines)
+    even = wrapped(title, narrow, size)
+    return even if len(even) == len(lines) else lines
 
 
 def _eased(part: float | NDArray[np.float64]) -> NDArray[np.float64]:

@@ -238,7 +238,7 @@ def _title(scenario: "Scenario") -> str:
     """What a film is of, for those who did not see the flight."""
     parameters = scenario.parameters
     span, length = parameters.kite.span, parameters.lines.length
-    return f"A kite of {span:g} m on {length:g} m lines, wind {parameters.wind.speed:g} m/s"
+    return f"A {span:g} m kite on {length:g} m lines, {parameters.wind.speed:g} m/s of wind"
 
 
 def _setup(args: argparse.Namespace) -> "FlightSetup":

@@ -46,10 +46,11 @@ class PilotStick:
 def show_of(parameters: Parameters) -> Stick:
     """The pilot of a show for a kite that turns, else a programmed stick.
 
-    A kite turns where its nose follows its motion: C_nβ > 0.
+    A kite turns that goes to the hand that pulls, or whose nose follows its motion: C_nβ > 0.
     """
-    turns = getattr(parameters.aero, "Cn_beta", 0.0) > 0
-    return PilotStick(Show()) if turns else show(parameters)
+    follows = getattr(parameters.aero, "Cn_beta", 0.0) > 0
+    drifts = parameters.stick.mirrored and not follows
+    return show(parameters) if drifts else PilotStick(Show())
 
 
 class PersonStick:

@@ -4,8 +4,10 @@ from math import degrees
 
 import pytest
 
+from kitemj.controls.stick import show_of
 from kitemj.flight.live import SteeredFlight
 from kitemj.flight.scenario import scenario_of
+from kitemj.physics.parameter_files import parameter_set
 from kitemj.pilots.show import Show
 from kitemj.pilots.sight import Twist, sight
 
@@ -13,9 +15,12 @@ SHOW = 20.0
 """s, for which `kitemj fly` shows it where there is no display."""
 
 
-@pytest.mark.parametrize("wind", [5.0, 6.5, 8.0])
-def test_a_show_has_eights_and_a_loop_each_way_and_ends_where_it_began(wind):
-    tables = {"set": "sport", "duration": 60.0, "wind": {"speed": wind}}
+FLIGHTS = [("sport", 5.0), ("sport", 6.5), ("sport", 8.0), ("trainer", 6.5), ("trainer", 8.0)]
+
+
+@pytest.mark.parametrize(("kite", "wind"), FLIGHTS)
+def test_a_show_has_eights_and_a_loop_each_way_and_ends_where_it_began(kite, wind):
+    tables = {"set": kite, "duration": 60.0, "wind": {"speed": wind}}
     flight, pilot, twist = SteeredFlight(scenario_of(tables, "test")), Show(), Twist()
     result, sights, turns, height = flight.restart(), [], [], []
     while result.motion.t < SHOW:
@@ -43,3 +48,9 @@ def test_a_flight_that_begins_again_has_the_show_from_its_beginning():
             result = flight.tick(pilot.command(result.motion))
         flown.append(result.motion)
     assert flown[0] == flown[1]
+
+
+@pytest.mark.parametrize("kite", ["sport", "trainer", "thesis", "laksa"])
+def test_a_kite_that_only_drifts_has_a_programme_in_place_of_the_show(kite):
+    steered_by = show_of(parameter_set(kite)).name
+    assert steered_by == ("pilot" if kite in ("sport", "trainer") else "programme")
