@@ -74,7 +74,7 @@ def main() -> int:
         for table in tables:
             print_table(table)
         if args.markdown:
-            text = "\n".join(f"{table.title}\n\n{markdown(table)}" for table in tables)
+            text = "\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in tables)
             with new_file(args.markdown, args.overwrite) as path:
                 path.write_text(text, encoding="utf-8")
     except InputError as error:

@@ -9,8 +9,9 @@ from kitemj.physics.vectors import Vector
 from kitemj.scene import delta, foil
 from kitemj.scene.cloth import Cloth
 
-SHORT = 0.15
-"""Spans: attachments nearer below the centre of mass than this are those of a framed kite."""
+SHORT = 0.25
+"""Spans: attachments nearer below the centre of mass than this are those of a framed kite; those of
+`sport` and `trainer` are at 0.08 and 0.16, those of `laksa` at 0.34."""
 
 
 def framed(kite: Kite) -> bool:

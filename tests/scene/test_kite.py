@@ -21,6 +21,7 @@ FULL, SLACK = Fill(1.0, 1.0, 0.0), Fill(0.0, 0.0, 0.0)
 
 def test_short_bridles_have_frames() -> None:
     assert framed(STUNT.kite)
+    assert framed(parameter_set("trainer").kite), "a diamond with spars"
     assert not framed(LAKSA.kite)
     assert len(canopy(STUNT.kite).rods)
     assert not len(canopy(LAKSA.kite).rods)
