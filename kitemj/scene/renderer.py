@@ -31,6 +31,7 @@ class Renderer(Closing):
         self._graphics = open_graphics(width, height)
         if not self._graphics.software:
             quality = quality._replace(samples=FILM.samples)  # it costs nothing there
+        self._sampled = quality.samples > 0
         self.scene = Scene(parameters, width, height, quality)
         with self._graphics.context.as_current():
             font = mujoco.mjtFontScale.mjFONTSCALE_100
@@ -70,6 +71,8 @@ class Renderer(Closing):
         with self._graphics.context.as_current():
             mujoco.mjr_readPixels(pixels, None, mujoco.MjrRect(0, 0, wide, tall), self._context)
         upright = np.ascontiguousarray(pixels[::-1])
+        if self._sampled:  # there Mesa's software leaves these black
+            upright[:, 0], upright[-1] = upright[:, 1], upright[-2]
         if (wide, tall) == (self.width, self.height):
             return upright
         frame = np.empty((self.height, self.width, 3), np.uint8)
