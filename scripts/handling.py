@@ -74,7 +74,7 @@ def main() -> int:
         for table in tables:
             print_table(table)
         if args.markdown:
-            text = "\n".join(f"{table.title}\n\n{markdown(table)}" for table in tables)
+            text = "\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in tables)
             with new_file(args.markdown, args.overwrite) as path:
                 path.write_text(text, encoding="utf-8")
     except InputError as error:
@@ -210,7 +210,7 @@ def assisted(kite: str) -> Table | None:
     if AIDE not in PILOTS:
         print(f"no pilot is called {AIDE}: left out", file=sys.stderr)
         return None
-    starts = [place for place in places() if place.azimuth % 20 == 0 and place.elevation % 10 == 5]
+    starts = [place for place in places() if some(place)]
     columns = []
     for wind in with_progress("assisted", WINDS, len(WINDS)):
         parameters = in_wind(kite, wind)
@@ -218,6 +218,12 @@ def assisted(kite: str) -> Table | None:
         columns.append(shares(parameters, starts, after))
     rows: list[tuple[Cell, ...]] = [(name, *(c[name] for c in columns)) for name in columns[0]]
     return Table(f"{kite}, hands off, assist on", heads("what"), rows)
+
+
+def some(place: Place) -> bool:
+    """Whether it is among the tenth that are flown with a pilot, who takes longer."""
+    even = place.azimuth % 30 == 0 and place.heading % 60 == 0
+    return even and place.elevation in (25, 45)
 
 
 if __name__ == "__main__":

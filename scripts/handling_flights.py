@@ -1,4 +1,7 @@
-"""Flights that show how a kite handles: left alone from anywhere, tapped, pushed, looped."""
+"""Flights that show how a kite handles: left alone from anywhere, tapped, pushed, looped.
+
+By newton-euler where no model is named: its coordinates go everywhere a kite goes.
+"""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -80,12 +83,17 @@ def flying(parameters: Parameters, place: Place) -> State:
     return State(q, Angles(phi, gamma, eta, 0.0))
 
 
-def back_after(parameters: Parameters, place: Place, model: str = "lagrange") -> float:
+def back_after(parameters: Parameters, place: Place, model: str = "newton-euler") -> float:
     """s until it is back at the top for good, hands level; inf: down, or not in `WATCHED`."""
+    return home_after(parameters, left_alone(parameters, place, model))
+
+
+def left_alone(parameters: Parameters, place: Place, model: str = "newton-euler") -> Array:
+    """The path (n, 3) [m, E] of G with the hands level, a row each `EVERY`, until the ground."""
     times = np.arange(0.0, WATCHED + EVERY / 2, EVERY)
     kite, held = make_model(model, parameters), at_rest(parameters)
     kite.start(flying(parameters, place), held)
-    return home_after(parameters, kite.batch(held, times, TOUCH, 1e-6)[:, X : Z + 1])
+    return kite.batch(held, times, TOUCH, 1e-6)[:, X : Z + 1]
 
 
 def assisted_after(parameters: Parameters, place: Place, pilot: Pilot) -> float:
@@ -97,13 +105,18 @@ def assisted_after(parameters: Parameters, place: Place, pilot: Pilot) -> float:
 
 def home_after(parameters: Parameters, path: Array) -> float:
     """s until the last time that a path (n, 3) [m, E] comes to the top; inf: it does not stay."""
-    azimuth = np.degrees(np.arctan2(-path[:, 1], -path[:, 0]))
-    elevation = np.degrees(np.arctan2(-path[:, 2], np.hypot(path[:, 0], path[:, 1])))
+    azimuth, elevation = on_the_sky(path)
     low = 90.0 - degrees(equilibrium(parameters).gamma) - DEEP
     away = np.flatnonzero((np.abs(azimuth) > HOME) | (elevation < low))
     first = int(away[-1]) + 1 if len(away) else 0
     whole = len(path) > round(WATCHED / EVERY)
     return first * EVERY if whole and first < len(path) else inf
+
+
+def on_the_sky(path: Array) -> tuple[Array, Array]:
+    """Azimuth to the right and elevation [deg] of a path (n, 3) [m, E]."""
+    x, y, z = path.T
+    return np.degrees(np.arctan2(-y, -x)), np.degrees(np.arctan2(-z, np.hypot(x, y)))
 
 
 def at_rest(parameters: Parameters) -> Segment:
@@ -127,7 +140,7 @@ def flown(
     parameters: Parameters,
     pilot: Pilot,
     duration: float,
-    model: str = "lagrange",
+    model: str = "newton-euler",
     start: State | None = None,
 ) -> list[Motion]:
     """A motion a tick, from `start` (None: rest at the top), until the ground."""

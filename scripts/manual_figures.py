@@ -1,4 +1,4 @@
-"""Draws the figures of the manual: the frames, the lines, the equilibrium, the laws of the stick.
+"""Draws the figures of the manual: frames, lines, equilibrium, laws of the stick, ways home.
 
     python scripts/manual_figures.py [FOLDER]       (docs/figures if left out)
 
@@ -18,6 +18,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Arc
 from numpy.typing import NDArray
 
+from handling_flights import Place as Start
+from handling_flights import left_alone, on_the_sky
 from kitemj.dynamics.motion import attachment_E
 from kitemj.dynamics.straight import straight_body
 from kitemj.flight.equilibrium import equilibrium_state
@@ -259,11 +261,35 @@ def stick(figure: Figure) -> None:
     figure.align_ylabels(rows)
 
 
+STARTS = ((30, 40, 80), (-45, 30, -30), (-20, 30, 90), (50, 25, -60), (0, 45, -90), (20, 50, 30))
+"""deg: azimuth, elevation and where the nose points, right positive."""
+
+
+def home(figure: Figure) -> None:
+    """Where two kites fly from the same starts with the hands level, in 6.5 m/s."""
+    for axes, name in zip(figure.subplots(2, 1, sharex=True), ("trainer", "sport"), strict=True):
+        parameters = parameter_set(name)
+        for start in STARTS:
+            azimuth, elevation = on_the_sky(left_alone(parameters, Start(*map(float, start))))
+            [line] = axes.plot(azimuth, elevation, lw=1.3)
+            axes.plot(azimuth[0], elevation[0], "o", color=line.get_color(), ms=5)
+            axes.plot(azimuth[10::10], elevation[10::10], ".", color=line.get_color(), ms=4)
+        rest = pi / 2 - equilibrium_state(parameters).q.gamma
+        around = np.linspace(-rest, rest, 201)
+        edge = np.degrees(np.arccos(np.minimum(cos(rest) / np.cos(around), 1.0)))
+        axes.plot(np.degrees(around), edge, "--", color=DIM, lw=1.0)
+        axes.axhspan(-5.0, 0.0, color="#9bb28a", lw=0)
+        axes.set(ylabel="elevation [deg]", xlim=(-90, 90), ylim=(-5, 85), aspect="equal")
+        axes.set_title(name, fontsize=11)
+    axes.set_xlabel("azimuth [deg], right positive (a small dot each second)")
+
+
 FIGURES: dict[str, tuple[Callable[[Figure], None], tuple[float, float]]] = {
     "frames": (frames, (7.0, 6.7)),
     "side": (side, (4.9, 7.0)),
     "lines": (lines, (5.3, 6.4)),
     "stick": (stick, (7.0, 5.6)),
+    "home": (home, (7.0, 7.6)),
 }
 
 

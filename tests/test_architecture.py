@@ -21,8 +21,9 @@ ROOMS = (
     ("controls", ("pilots",)),
     ("realtime", ("pilots", "recording")),
     ("scene", ("flight",)),
+    ("sound", ("flight",)),
     ("drawing", ("pilots", "recording", "controls", "scene")),
-    ("cockpit", ("drawing", "realtime", "plots")),
+    ("cockpit", ("drawing", "realtime", "plots", "sound")),
     ("commands", ("cockpit", "plots", "equilibria", "studies")),
 )
 """Each room with those right below it; it may import these and all that they may."""

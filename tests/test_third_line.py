@@ -27,6 +27,7 @@ from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
 from kitemj.scene.figure import hands
 from kitemj.scene.lines import drawn
+from kitemj.scene.views import side
 from kitemj.studies.flights import fly, result_columns
 from kitemj.studies.study import study_of
 
@@ -156,7 +157,8 @@ def test_a_picture_has_the_third_line_through_its_points(recording):
         motion._replace(lines=(*motion.lines[:2], third._replace(points=way))) for way in ways
     ]
     with Picture(recording.parameters) as picture:
-        straight, bent = (picture.paint(each, None, Readings(), "side") for each in flights)
+        eye = side(recording.parameters, motion)._replace(wide=False)  # the pilot in true size
+        straight, bent = (picture.paint(each, None, Readings(), eye) for each in flights)
         hand = times(0.5, plus(*hands(recording.parameters, motion)))
         start, bend, *_ = drawn(flights[1].lines[2], hand)
         assert start == pytest.approx(hand), "a line beyond two begins between the hands"

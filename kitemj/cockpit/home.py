@@ -10,7 +10,7 @@ from kitemj.child import Child
 from kitemj.cockpit.demonstration import Demonstration
 from kitemj.cockpit.menu import Entry, Menu
 from kitemj.cockpit.replay_window import ReplayWindow
-from kitemj.cockpit.screens import Window
+from kitemj.cockpit.screens import Screen, Window
 from kitemj.cockpit.title import Title
 from kitemj.drawing.picture import Picture
 from kitemj.errors import InputError
@@ -20,14 +20,23 @@ from kitemj.physics.parameters import Parameters
 from kitemj.realtime.launch import launch
 from kitemj.recording.file import read_recording
 from kitemj.recording.recorder import latest
+from kitemj.signals import interrupted
 
 
 @dataclass
 class Kept:
-    """What outlives a flight: the picture, and whether a person wishes to hear and feel."""
+    """What outlives a flight: the picture, and whether a person wishes to hear and feel.
+
+    `closed`: the window's own cross was pressed, so nothing more is wanted.
+    """
 
     picture: Picture
     sound: bool = True
+    closed: bool = False
+
+    def note(self, window: Screen) -> None:
+        """Keeps what a window that is left was told."""
+        self.sound, self.closed = window.wishes.sound, window.closed
 
 
 class Doors(NamedTuple):
@@ -53,7 +62,7 @@ class Home:
     """
 
     def __init__(
-        self, doors: Doors, kite: str, size: tuple[int, int], sound: bool, quality: str
+        self, doors: Doors, kite: str, size: tuple[int, int], sound: bool, quality: str = "auto"
     ) -> None:
         self._doors, self._kite, self._lessons_kite = doors, kite, kite
         self._size, self._quality, self._marked, self._message = size, quality, "", ""
@@ -65,7 +74,7 @@ class Home:
         status, chosen = 0, ""
         self._marked = "lessons" if not self._doors.passed()[0] else "fly"
         try:
-            while chosen != "leave":
+            while chosen != "leave" and not self._kept.closed and not interrupted():
                 child = child or launch()  # loads while the title is looked at
                 chosen = self._title()
                 if chosen in ("fly", "lessons"):
@@ -75,9 +84,12 @@ class Home:
                     status = self._doors.fly(kite, chosen == "lessons", flown, self._kept)
                 elif chosen == "replay":
                     self._watch()
+        except KeyboardInterrupt:
+            pass  # leaving in a hurry is leaving
         finally:
             self._kept.picture.close()
             if child:
+                child.kill()  # it only loads, and nobody waits for that
                 child.close()
         return status
 
@@ -125,7 +137,7 @@ class Home:
         try:
             yield window
         finally:
-            self._kept.sound = window.wishes.sound
+            self._kept.note(window)
             window.close()
 
     def _paint(self, parameters: Parameters) -> Picture:

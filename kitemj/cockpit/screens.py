@@ -1,15 +1,13 @@
-"""Where frames go: a window, or a film when there is no display."""
+"""Where frames go, and what the person there wants: a window, or nobody."""
 
 import os
 import time
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from kitemj.cockpit.film import Film
 from kitemj.cockpit.senses import Senses
 from kitemj.controls.actions import Wishes
 from kitemj.controls.keys import KEYS
@@ -28,10 +26,12 @@ class Screen:
     """Takes frames, and says what the person at it wants; this one shows them to nobody.
 
     `stick` is that of the person at it, `wishes` what they ask for; `size` [px] what frames
-    should have from now on, None: what they have.
+    should have from now on, None: what they have; `closed`: the window's own cross was pressed,
+    which ends more than a flight.
     """
 
     size: tuple[int, int] | None = None
+    closed = False
 
     def __init__(self, stick: Stick) -> None:
         self.stick, self.wishes = stick, Wishes()
@@ -188,6 +188,7 @@ class Window(Screen):
     def events(self) -> Iterator[tuple[pygame.event.Event, tuple[str, ...]]]:
         """All events since, each with the actions that a pad asks for by it."""
         for event in events():
+            self.closed |= event.type == pygame.QUIT
             yield event, self._person.handle(event)
 
     def poll(self) -> None:
@@ -257,22 +258,3 @@ class Window(Screen):
         """Lets go of the pads, and is silent; the window stays, for whoever comes next."""
         self._senses.close()
         self._person.close()
-
-
-class FilmScreen(Screen):
-    """A film in real time: a frame that came late stands as long as it was the newest."""
-
-    def __init__(
-        self, path: Path, width: int, height: int, stick: Stick, overwrite: bool = False
-    ) -> None:
-        super().__init__(stick)
-        self._film = Film(path, width, height, FRAME_RATE, overwrite)
-
-    def show(self, frame: Frame, wall: float) -> None:
-        """Adds the frame for as many film frames as have passed."""
-        while self._film.frames < wall * FRAME_RATE + 1:
-            self._film.add(frame)
-
-    def close(self) -> None:
-        """Completes the film."""
-        self._film.close()

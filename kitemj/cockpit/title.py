@@ -18,8 +18,8 @@ from kitemj.scene.views import Camera, Orbit, looking, orbiting
 
 PACE = 0.12  # rad/s of the eye's swing about the kite
 SWING, BELOW, RISE = 0.5, 0.22, 0.1  # rad, to the sides; below the kite, so that it has sky behind
-AWAY = 3.2  # spans
-ASIDE = 0.3  # rad by which the eye looks past the kite, which leaves the left to the text
+AWAY = 2.5  # spans
+ASIDE = 0.34  # rad by which the eye looks past the kite, which leaves the left to the text
 PUSHED, LET_GO = 0.6, 0.3  # of a stick's way: it asks for a step; it may ask again
 
 

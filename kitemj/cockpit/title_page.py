@@ -10,14 +10,15 @@ from kitemj.drawing.colours import CALL, DIM, WHITE, Colour
 from kitemj.drawing.text import put, width, wrapped
 
 NAME, SAYS = "kitemj", "a kite on two lines, in your hands"
-HINT = "Arrows, pad or mouse.   Enter or A: choose   Esc: leave"
+HINT = "Enter, A or a click chooses;  Esc leaves"
 LEFT = 92  # units of a frame of 720 rows, as all sizes here
-NAME_ROW, SAYS_ROW, FIRST_ROW, STEP, TOLD_ROW, HINT_ROW = 138, 212, 312, 56, 606, 676
-LARGE, USUAL, SMALL, LEAST = 74, 26, 17, 11  # heights of digits; px that the smallest takes
-SHUT: Colour = (150, 158, 168)
-ROOM = 0.38  # of the width, for what is told
-DARK, SHADED = 0.82, 0.66
-"""How much of the light the page takes at its left edge; the part of the width where it ends."""
+NAME_ROW, SAYS_ROW, FIRST_ROW, STEP, TOLD_ROW, HINT_ROW = 138, 212, 312, 56, 598, 676
+LARGE, USUAL, SMALL, LEAST = 74, 26, 17, 9  # heights of digits; px that the smallest takes
+SHUT: Colour = (166, 174, 184)
+ROOM, SHADED = 0.4, 0.74
+"""Parts of the width: text keeps to the first, and the shade below it ends at the second."""
+DARK = 0.76
+"""Of the light that the shade takes: what is written stays legible before a white cloud."""
 
 
 def paint_title(surface: pygame.Surface, menu: Menu, message: str = "") -> list[pygame.Rect]:
@@ -38,7 +39,7 @@ def paint_title(surface: pygame.Surface, menu: Menu, message: str = "") -> list[
         boxes.append(pygame.Rect(0, round(row - tall / 2), wide, tall))
     put(surface, HINT, LEFT * unit, HINT_ROW * unit, max(15 * unit, LEAST), DIM)
     told, colour = (message, CALL) if message else (menu.entry.says, WHITE)
-    for i, line in enumerate(wrapped(told, ROOM * surface.get_width(), small)):
+    for i, line in enumerate(wrapped(told, ROOM * surface.get_width() - LEFT * unit, small)):
         put(surface, line, LEFT * unit, TOLD_ROW * unit + 1.5 * i * small, small, colour)
     return boxes
 
@@ -74,7 +75,7 @@ def _shade(size: tuple[int, int]) -> pygame.Surface:
     wide = size[0]
     shade = pygame.Surface(size, pygame.SRCALPHA)
     shade.fill((8, 12, 20, 0))
-    across = np.clip(np.arange(wide) / (SHADED * wide), 0.0, 1.0)
+    across = np.clip((np.arange(wide) / wide - ROOM) / (SHADED - ROOM), 0.0, 1.0)
     falls = 1.0 - across * across * (3.0 - 2.0 * across)
     alpha = pygame.surfarray.pixels_alpha(shade)
     alpha[:] = np.round(255 * DARK * falls)[:, None]

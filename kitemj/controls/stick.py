@@ -14,7 +14,8 @@ from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
-from kitemj.pilots.manoeuvres import Eight, Pilot, turns
+from kitemj.pilots.manoeuvres import Pilot, turns
+from kitemj.pilots.show import Show
 
 ASKS = ("an angle δ, to which the hands go", "a rate of δ", "an acceleration of δ")
 """What each law means, in words."""
@@ -43,8 +44,8 @@ class PilotStick:
 
 
 def show_of(parameters: Parameters) -> Stick:
-    """A pilot of figures of eight for a kite that turns, else a programmed stick."""
-    return PilotStick(Eight()) if turns(parameters) else show(parameters)
+    """The pilot of a show for a kite that turns, else a programmed stick."""
+    return PilotStick(Show()) if turns(parameters) else show(parameters)
 
 
 class PersonStick:

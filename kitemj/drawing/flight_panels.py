@@ -3,7 +3,7 @@
 from math import degrees
 
 from kitemj.drawing.colours import CALL, DIM, GOOD, LEFT, RIGHT, TROUGH, WHITE
-from kitemj.drawing.panel import LARGE, NAME, NUMBER, Panel
+from kitemj.drawing.panel import EDGE, LARGE, NAME, NUMBER, Panel
 from kitemj.drawing.plates import NOW
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.wind_window import bearing
@@ -12,7 +12,6 @@ from kitemj.flight.limits import SIDESLIP, STALL, TWIST, Numbers
 from kitemj.physics.parameters import Parameters
 from kitemj.scene.forces import newtons_per_metre
 
-EDGE = 14  # units, left and right of what is written
 GAP_UNITS = ((1.0, "m"), (1e-3, "mm"), (1e-6, "µm"), (0.0, "nm"))  # from this on, in metres
 
 
@@ -21,10 +20,8 @@ def paint_flight(
 ) -> None:
     """Paints when and where the kite is, and how fast; how fast time runs, and the assist."""
     azimuth, elevation = bearing(parameters, motion.body.p_G_E)
-    right = panel.width - EDGE
-    panel.text(f"{motion.t:.1f} s", EDGE, 26, LARGE, WHITE)
-    told = f"ASSIST  ×{readings.speed:.3g}" if readings.assist else f"time ×{readings.speed:.3g}"
-    panel.text(told, right, 26, align=1)
+    told = f"{'ASSIST' if readings.assist else 'time'} ×{readings.speed:.3g}"
+    panel.row(told, f"{motion.t:.1f} s", 26, LARGE)
     rows = (
         ("elevation", f"{elevation:.1f}°"),
         ("azimuth", _sided(azimuth)),
@@ -33,9 +30,8 @@ def paint_flight(
     )
     for i, (name, value) in enumerate(rows):
         grave, row = alarm == NOW and name.startswith("height"), 70 + 36 * i
-        panel.text(name, EDGE, row, colour=WHITE if alarm == NOW else DIM)
         size, colour = (LARGE, CALL) if grave else (NUMBER, WHITE)
-        panel.text(value, right, row, size, colour, 1)
+        panel.row(name, value, row, size, colour, WHITE if alarm == NOW else DIM)
 
 
 def paint_air(panel: Panel, parameters: Parameters, motion: Motion, alarm: int) -> None:
@@ -43,13 +39,13 @@ def paint_air(panel: Panel, parameters: Parameters, motion: Motion, alarm: int) 
     limits, air = parameters.limits, motion.air
     alpha = ("angle of attack", "α, 0° to ", air.alpha, limits.alpha_stall, STALL)
     beta = ("sideslip", "β, at most ±", air.beta, limits.beta_max, SIDESLIP)
-    left, wide = float(EDGE), panel.width - 2 * EDGE
+    left, wide = EDGE, panel.width - 2 * EDGE
     for i, (name, within, angle, most, limit) in enumerate((alpha, beta)):
         row, middle = 22 + 76 * i, left + wide / 2
         beyond = not limit.kept(limits, Numbers((), *air))
-        panel.text(name, left, row, NAME, WHITE if alarm == NOW else DIM)
         size, colour = (LARGE, CALL) if beyond else (NUMBER, WHITE)
-        panel.text(f"{degrees(angle):.1f}°", panel.width - EDGE, row, size, colour, 1)
+        quiet = WHITE if alarm == NOW else DIM
+        panel.row(name, f"{degrees(angle):.1f}°", row, size, colour, quiet)
         panel.bar(left, row + 20, wide, 9, TROUGH)
         share = min(max(angle / most, -1.0), 1.0)
         start, end = sorted((middle, middle + share * wide / 2))
@@ -74,15 +70,14 @@ def paint_model(panel: Panel, parameters: Parameters, readings: Readings, alarm:
     )
     for i, (name, value) in enumerate(rows):
         grave, row = beyond and name == most, 22 + 28 * i
-        panel.text(name, EDGE, row, colour=WHITE if alarm == NOW else DIM)
         size, colour = (LARGE, CALL) if grave else (NAME + 1, WHITE)
-        panel.text(value, panel.width - EDGE, row, size, colour, 1)
+        panel.row(name, value, row, size, colour, WHITE if alarm == NOW else DIM)
 
 
 def paint_arrows(panel: Panel, parameters: Parameters) -> None:
     """Paints what the arrows at the kite mean."""
     panel.text(f"arrows: 1 m = {newtons_per_metre(parameters):g} N", EDGE, 20)
-    x = float(EDGE)
+    x = EDGE
     for text, colour in (("air", CALL), ("weight", WHITE), ("left", LEFT), ("right", RIGHT)):
         panel.bar(x, 40, 10, 10, colour)
         panel.text(text, x + 14, 45, NAME, WHITE)

@@ -17,9 +17,9 @@ from kitemj.flight.limits import OVERLOAD, SLACK, Numbers
 from kitemj.physics.parameters import Limits
 from kitemj.physics.vectors import norm
 
-WIDTH, HEIGHT = 288.0, 184.0
+WIDTH, HEIGHT = 288.0, 192.0
 SMALLER = 0.78  # the wind window, of its own size
-FLOOR = 148.0  # where it and the bars stand
+FLOOR = 156.0  # where it and the bars stand
 TALL, THICK = SMALLER * RADIUS, 7.0  # of a bar
 BESIDE = 22.0  # from the plate's edge to the middle of a bar
 FASTER = 23.0  # digits of the airspeed

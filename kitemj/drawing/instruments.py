@@ -28,7 +28,7 @@ MARGIN, GAP = 12, 10
 STRIP = 124  # height of the engineer's plates along the bottom
 COLUMN = 292  # width of those at the sides
 INSET_FOOT = 176  # where the small view ends
-WINDOW_TOP = 20  # rows for the window's title
+WINDOW_TOP, WINDOW_FOOT = 20, 4  # rows for the window's title and below its letters
 
 
 class Instruments:
@@ -97,7 +97,7 @@ class Instruments:
     def _say(
         self, surface: pygame.Surface, readings: Readings, alarm: Alarm | None, depth: str
     ) -> None:
-        """Paints lesson and touch of the ground at the foot, alarm and message where room is."""
+        """Paints the lesson at the foot, a touch of the ground high, alarm and message beside."""
         room, u, top = self.room(depth), self.u, depth == "engineer"
 
         def take(box: pygame.Rect) -> pygame.Rect:
@@ -134,12 +134,13 @@ class Instruments:
         wide, tall = self.width / u, self.height / u
         right, strip = wide - COLUMN - MARGIN, tall - STRIP - MARGIN
         third = (wide - 2 * MARGIN - 2 * GAP) / 3
-        chart = INSET_FOOT + GAP + wind_window.HEIGHT + WINDOW_TOP + GAP
+        window = wind_window.HEIGHT + WINDOW_TOP + WINDOW_FOOT
+        chart = INSET_FOOT + GAP + window + GAP
         places = {
             "flight": (MARGIN, MARGIN, COLUMN, 200),
             "air": (MARGIN, 222, COLUMN, 160),
             "arrows": (MARGIN, 392, COLUMN, 64),
-            "window": (right, INSET_FOOT + GAP, COLUMN, wind_window.HEIGHT + WINDOW_TOP),
+            "window": (right, INSET_FOOT + GAP, COLUMN, window),
             "chart": (right, chart, COLUMN, strip_chart.HEIGHT),
             "lines": (MARGIN, strip, third, STRIP),
             "knob": (MARGIN + third + GAP, strip, third, STRIP),
@@ -182,6 +183,6 @@ class Instruments:
         below = Panel(panel.surface, (*panel.at(0, WINDOW_TOP), COLUMN, 0), panel.unit)
         self._window.paint(below, motion, readings.traces.trail if readings.traces else NO_TRAIL)
         panel.text("wind window, rim 90°", 14, 20)
-        foot = WINDOW_TOP + wind_window.FOOT[1] + 17
+        foot = WINDOW_TOP + wind_window.FOOT[1] + 20
         panel.text("L left", 14, foot, NAME, WHITE)
         panel.text("right R", panel.width - 14, foot, NAME, WHITE, 1)

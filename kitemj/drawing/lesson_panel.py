@@ -1,6 +1,7 @@
 """The panels of a first flight: the lesson with its advice, and how the kite met the ground.
 
-Both lie at the foot of the picture, below the kite's usual place.
+The lesson lies at the foot of the picture, below the kite; the card in the sky, over a kite that
+lies on the ground.
 """
 
 import pygame
@@ -15,8 +16,9 @@ HEIGHT, CARD_EDGE = 116, 16  # units
 GAP = 10  # units between things that lie above one another
 SIZES = ((1, 20), (1, 18), (2, 20), (2, 18), (2, 16))
 """Lines that an advice takes at most, and its digits [units]: the first that fits."""
+HIGH = 0.22  # of the room above and below it, the part above a card
 SMALL = 16.0  # units, digits of the rest
-LEADING = 1.5  # of lines, in digit heights
+LEADING = 1.6  # of lines, in digit heights
 ARROWS = 84  # units at either end, for which way the stick should go
 CHEVRONS = (0.1, 0.3, 0.7)  # of the stick's way, from which on each is lit
 START_AGAIN, FLY_AGAIN = "R or the pad's A button starts again", "R or A flies again"
@@ -82,7 +84,7 @@ def paint_touch(
     touch: Touch,
     lesson: LessonStatus | None = None,
 ) -> pygame.Rect:
-    """Paints what broke, how fast, where, what to do, at the foot of `room` [px]; its box [px].
+    """Paints what broke, how fast, where, what to do, high in `room` [px]; returns its box [px].
 
     A `lesson` that waits for another flight has its say on the card.
     """
@@ -96,8 +98,7 @@ def paint_touch(
             break
     wide = max(width(text, size * unit, True) for text, size, _ in lines) / unit + 2 * CARD_EDGE
     box = pygame.Rect(0, 0, round(wide * unit), round(tall * unit))
-    box.midbottom = (surface.get_width() // 2, room.bottom)
-    box.clamp_ip(room)
+    box.midtop = surface.get_width() // 2, room.top + round(HIGH * max(room.height - box.height, 0))
     panel = Panel(surface, (box.left, box.top, wide, tall), unit)
     panel.ground()
     panel.bar(CARD_EDGE, 7, wide - 2 * CARD_EDGE, 3, GOOD if touch.gentle else CALL)
@@ -113,9 +114,9 @@ def _card(touch: Touch, advice: str, inner: float, unit: float) -> list[tuple[st
     """Lines not wider than `inner` [units]: text, size [units], colour."""
     guess = "" if touch.gentle else f" ({touch.reason})"
     said = (
-        (touch.damage, 22.0, GOOD if touch.gentle else CALL),
+        (touch.damage, 20.0, GOOD if touch.gentle else CALL),
         (f"First the {touch.part}, {touch.pace}, {touch.place}{guess}", SMALL, WHITE),
-        (advice, 18.0, CALL),
+        (advice, 17.0, CALL),
     )
     return [
         (line, size, colour)

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 
 import pygame
 
-from kitemj.drawing.colours import DIM, Colour
+from kitemj.drawing.colours import DIM, WHITE, Colour
 from kitemj.drawing.plates import QUIET, paint_plate
 from kitemj.drawing.text import put, width
 
 NUMBER, NAME = 20, 15  # px of digit height in a frame of 720 rows
 LARGE = 24  # of the number that is out of its limits
+EDGE, GAP = 14.0, 8.0  # units: left and right of what is written; between a name and its value
 
 Place = tuple[float, float, float, float]
 """x, y [px of the frame], width and height [units]."""
@@ -64,6 +65,34 @@ class Panel:
         bold: whether its strokes are heavier
         """
         put(self.surface, text, *self.at(x, y), height * self.unit, colour, align, bold)
+
+    def row(
+        self,
+        name: str,
+        value: str,
+        y: float,
+        height: float = NUMBER,
+        colour: Colour = WHITE,
+        quiet: Colour = DIM,
+    ) -> None:
+        """Writes a name at the left and its value at the right, smaller where there is no room.
+
+        name: what it is
+        value: with its unit
+        y: units from the panel's top, of the digits' middle
+        height: units, of a digit of the value
+        colour: of the value
+        quiet: the colour of the name
+        """
+        height = self.fitting(value, height, self.width - 2 * EDGE - GAP - self.wide(name))
+        self.text(name, EDGE, y, colour=quiet)
+        self.text(value, self.width - EDGE, y, height, colour, 1)
+
+    def fitting(self, text: str, height: float, room: float) -> float:
+        """The digit height, up to `height`, in which `text` takes at most `room` [all in units]."""
+        while self.wide(text, height) > room and height > 1.0:
+            height *= 0.95
+        return height
 
     def wide(self, text: str, height: float = NAME, bold: bool = False) -> float:
         """The width [units] that `text` takes."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from kitemj.drawing.colours import ALARM, CALL, GOOD, INK, WHITE, Colour
 from kitemj.drawing.history import CHART_COLUMNS, Traces
-from kitemj.drawing.panel import NUMBER, Panel
+from kitemj.drawing.panel import NAME, Panel
 from kitemj.flight.live import TICK
 
 WIDTH, HEIGHT = 292, 166
@@ -25,9 +25,7 @@ LINE: Colour = (150, 160, 172)
 
 def paint_chart(panel: Panel, traces: Traces | None, missed_ticks: int, lateness: float) -> None:
     """Paints the chart; `lateness` [s] of the last tick, `missed_ticks` since the start."""
-    panel.text("ticks missed", LEFT, 20)
-    number = CALL if missed_ticks else WHITE
-    panel.text(f"{missed_ticks}", WIDTH - 14, 20, NUMBER, number, 1)
+    panel.row("ticks missed", f"{missed_ticks}", 20, colour=CALL if missed_ticks else WHITE)
     panel.bar(LEFT, TOP, WIDE, BOTTOM - TOP, INK)
     late = traces.lateness if traces else np.full(CHART_COLUMNS, np.nan)
     frames = traces.frame_time if traces else np.full(CHART_COLUMNS, np.nan)
@@ -39,11 +37,11 @@ def paint_chart(panel: Panel, traces: Traces | None, missed_ticks: int, lateness
     for values, colour in ((late, GOOD), (frames, FRAME)):
         for run in _lines(values):
             panel.line(run, colour, 2)
-    told = f"late {1e3 * lateness:.1f} ms, at most {1e3 * TICK:.0f}"
-    panel.text(told, LEFT, BOTTOM + 20, colour=GOOD)
+    late_by, most = f"{1e3 * lateness:.1f} ms", f"late, max {1e3 * TICK:.0f} ms"
+    panel.row(most, late_by, BOTTOM + 20, NAME, WHITE, GOOD)
     known = frames[np.isfinite(frames)]
     newest = f"{1e3 * known[-1]:.0f} ms" if len(known) else "-"
-    panel.text(f"frame {newest}", LEFT, BOTTOM + 44, colour=FRAME)
+    panel.row("frame", newest, BOTTOM + 44, NAME, WHITE, FRAME)
 
 
 def _x(column: Any) -> Any:

@@ -9,7 +9,7 @@ from math import inf, sqrt
 from typing import NamedTuple
 
 from kitemj.drawing.colours import BAD, CALL, INK, LEFT, RIGHT, TROUGH, WHITE
-from kitemj.drawing.panel import LARGE, NAME, NUMBER, Panel
+from kitemj.drawing.panel import EDGE, GAP, LARGE, NAME, NUMBER, Panel
 from kitemj.drawing.plates import NOW
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.equilibrium import pull_at_rest
@@ -67,14 +67,15 @@ def paint_tensions(
             share = scale.share(tension)
             panel.bar(BAR, row - half, share * ROOM, 2 * half, BAD if over else colour)
             _marks(panel, scale, parameters.limits.tension_max, row, half)
-        colour, size = (CALL, LARGE) if slack or over else (WHITE, NUMBER)
-        size = size if alarm == NOW else NUMBER
-        panel.text(newtons(tension), panel.width - 14, row, size, colour, 1)
+        beyond = slack or over
+        most, colour = LARGE if beyond and alarm == NOW else NUMBER, CALL if beyond else WHITE
+        size = panel.fitting(newtons(tension), most, panel.width - BAR - ROOM - EDGE - GAP)
+        panel.text(newtons(tension), panel.width - EDGE, row, size, colour, 1)
 
 
 def _title(panel: Panel, scale: Scale, most: float) -> None:
     """Writes what the bars are, and the pull at rest under its mark."""
-    panel.text(f"lines' pull, at most {most:.0f} N", 14, HEAD)
+    panel.text(f"lines' pull, at most {most:.0f} N", EDGE, HEAD)
     if scale.rest < scale.full:
         rest = f"rest {scale.rest:.{2 if scale.rest < 9.5 else 3}g} N"
         panel.text(rest, BAR + scale.share(scale.rest) * ROOM, FEET, align=0.5)
@@ -93,7 +94,7 @@ def _marks(panel: Panel, scale: Scale, most: float, row: float, half: float) -> 
 def _name(panel: Panel, name: str, row: float) -> None:
     """Writes a line's name into the room before its bar; a long one is smaller, and cut."""
     shown = name if len(name) <= LETTERS else f"{name[: LETTERS - 1]}…"
-    panel.text(shown, 14, row, NAME * min(1.0, (BAR - 20) / panel.wide(shown)), WHITE)
+    panel.text(shown, EDGE, row, panel.fitting(shown, NAME, BAR - EDGE - 6), WHITE)
 
 
 def newtons(tension: float) -> str:

@@ -27,6 +27,7 @@ RADIUS = 118.0  # of the rim, 90° from the wind
 RIM: Colour = (226, 234, 244)
 GRID, AROUND = 70, 1.5  # opacity 0..255 of the net; width of the rim and of the ground
 NO_TRAIL = np.empty((0, 3))
+OUTSIDE, LOWEST = 6.0, FOOT[1] - 4.0  # how far beyond the rim, how low the kite is painted
 NOSE, WING = 15.0, 11.0  # of the kite's mark, from its middle
 
 
@@ -53,20 +54,20 @@ class WindWindow:
 
     def paint(self, panel: Panel, motion: Motion, trail: NDArray[np.float64]) -> None:
         """Paints outline, kite and `trail` (n, 3) [m, E], oldest first; no words."""
-        box = panel.rect(0, 0, WIDTH, HEIGHT)
+        box, top = panel.rect(0, 0, WIDTH, HEIGHT), FOOT[1] - RADIUS - OUTSIDE
         panel.surface.blit(_net(box.size, panel.unit), box)
         if len(trail):
             trail = trail[::-3][::-1]  # enough for a small picture
             places = np.array([panel.x, panel.y]) + panel.unit * self.places(trail)
             usable = np.full(len(trail), True)
-            paint_trail(panel.surface, places, usable, box, 3 * panel.unit, bright=0.8)
+            inside = panel.rect(0, top, WIDTH, FOOT[1] - top)
+            paint_trail(panel.surface, places, usable, inside, 3 * panel.unit, bright=0.8)
         self._paint_kite(panel, motion)
 
     def _paint_kite(self, panel: Panel, motion: Motion) -> None:
         """Paints an arrowhead that flies nose first, its wings in the colours of the kite's."""
         G, R = motion.body.p_G_E, motion.body.R_BE
-        x, y = self.place(G)
-        x, y = min(max(x, 14.0), WIDTH - 14.0), min(max(y, 14.0), FOOT[1] + 8)
+        x, y = self._kept_inside(*self.place(G))
         nose, left = self._towards(G, R.x), self._towards(G, R.y)
         tip = (NOSE * nose[0], NOSE * nose[1])
         notch = (-0.35 * tip[0], -0.35 * tip[1])
@@ -87,6 +88,12 @@ class WindWindow:
                 pygame.draw.lines(large, WHITE, False, points, max(round(finer * panel.unit), 1))
 
         paint_smoothly(panel.surface, box, draw)
+
+    def _kept_inside(self, x: float, y: float) -> tuple[float, float]:
+        """A place no further outside than what is written around leaves room for."""
+        away = hypot(x - FOOT[0], y - FOOT[1])
+        share = min(1.0, (RADIUS + OUTSIDE) / max(away, 1.0))
+        return FOOT[0] + share * (x - FOOT[0]), min(FOOT[1] + share * (y - FOOT[1]), LOWEST)
 
     def _towards(self, G: Vector, axis: Vector) -> tuple[float, float]:
         """The unit vector in the panel along `axis` [E] of a kite at `G` [m, E]."""

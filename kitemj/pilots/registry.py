@@ -18,6 +18,7 @@ PILOTS: Registry[Callable[[], Pilot]] = Registry(
         "eight": "kitemj.pilots.manoeuvres:Eight",
         "assist": "kitemj.pilots.assist:Assist",
         "land": "kitemj.pilots.manoeuvres:Land",
+        "show": "kitemj.pilots.show:Show",
     },
 )
 """Each makes a pilot when called without arguments."""

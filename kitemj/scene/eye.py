@@ -39,17 +39,15 @@ class Follower(NamedTuple):
 
 FOLLOWERS = {
     "pilot": Follower(pilot_aim, pilot_camera, PilotAim(2.5, 4.0, 1.0), PilotAim(0.5, 1.0, 0.0)),
-    "chase": Follower(
-        chase_aim,
-        chase_camera,
-        ChaseAim(5.0, 5.0, 5.0, 3.0, 3.0),
-        ChaseAim(1.0, 1.0, 1.0, 0.5, 0.5),
-    ),
+    "chase": Follower(chase_aim, chase_camera, ChaseAim(6.0, 6.0, 6.0), ChaseAim(1.0, 1.0, 1.0)),
 }
 
 
 class Past(NamedTuple):
-    """Where a view was at `t` [s]: what it aimed at, where it stood, and how fast that moved."""
+    """Where a view was at `t` [s]: what it aimed at, where it stood, and how fast that moved.
+
+    `speed` is None at a first look.
+    """
 
     t: float
     aim: Any
@@ -96,11 +94,12 @@ def _followed(past: Past | None, follower: Follower, t: float, aim: Any) -> Past
     if past is not None and t == past.t and aim == past.aim:
         return past
     if past is None or not 0.0 < t - past.t <= GAP:
-        return Past(t, aim, aim, type(aim)(*(0.0 for _ in aim)))
+        return Past(t, aim, aim, None)
     dt, moved = t - past.t, []
     for i, (rate, lead) in enumerate(zip(follower.rates, follower.leads, strict=True)):
         drift = (aim[i] - past.aim[i]) / dt
-        moved.append(damped(past.place[i], past.speed[i], past.aim[i], drift, rate, lead, dt))
+        speed = past.speed[i] if past.speed else lead * drift  # no running after a first look
+        moved.append(damped(past.place[i], speed, past.aim[i], drift, rate, lead, dt))
     places, speeds = (type(aim)(*numbers) for numbers in zip(*moved, strict=True))
     return Past(t, aim, places, speeds)
 

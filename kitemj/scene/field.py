@@ -21,7 +21,7 @@ from kitemj.scene.sun import land_to_E
 from kitemj.scene.views import downwind
 
 Floats = NDArray[np.float64]
-GUSTS = 7
+GUSTS = 6
 GUST_LONG, GUST_WIDE = 5.5, 11.0  # m, half of a gust along the wind and across, for short lines
 GUST_ALPHA = 0.28  # of one in the wind's usual speed
 GUST_LIFT = 0.025  # m, that the lowest is over the ground
@@ -40,8 +40,9 @@ def add_field(spec: Any, parameters: Parameters) -> None:
     image[:] = [*(round(255 * c) for c in GUST_COLOUR), 0]
     image[..., 3] = 255 * _gust_texture()
     add_texture(spec, "gust", image)
-    corners = np.array([(-1.0, -1.0, 0.0), (1.0, -1.0, 0.0), (1.0, 1.0, 0.0), (-1.0, 1.0, 0.0)])
-    faces = np.array([(0, 1, 2), (0, 2, 3)], np.int32)
+    turn = np.linspace(0, 2 * np.pi, 9)[:-1] + np.pi / 8
+    corners = np.stack([np.cos(turn), np.sin(turn), 0 * turn], 1) / np.cos(np.pi / 8)
+    faces = np.array([(0, k, k + 1) for k in range(1, 7)], np.int32)
     add_mesh(spec, "gust", Mesh(corners * (*half, 1.0), faces), corners[:, :2] / 2 + 0.5)
     for number in range(GUSTS):
         look = {"material": "gust", "rgba": [1.0, 1.0, 1.0, 0.5]}

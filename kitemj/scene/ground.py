@@ -5,7 +5,6 @@ of the lines, a bay ahead of the pilot; the rest is in metres, whatever the line
 Coordinates are those of the land's frame: x ahead (downwind), y left, the pilot at 0.
 """
 
-from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache, partial
 from typing import NamedTuple
 
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from kitemj.scene.noise import Field, mixed, on_grid, smooth, tile_of
 from kitemj.scene.sky import HILLS, HORIZON
 
+MARGIN = 1.04  # of a picture over its square: at the rim it would be mixed with the other side
 INNERMOST = 14.0  # m, half the side of the finest square
 FARTHER = 3  # times as large as the one in it is each square
 SQUARES = 7
@@ -43,7 +43,10 @@ class Place(NamedTuple):
 
 
 class Square(NamedTuple):
-    """A square frame of ground: half sides `inner` (0: whole) and `outer` [m], its texture."""
+    """A square frame of ground: half sides `inner` (0: whole) and `outer` [m], its picture.
+
+    The picture's half side is `MARGIN` times the outer.
+    """
 
     inner: float
     outer: float
@@ -59,10 +62,10 @@ def coast_distance(length: float) -> float:
 def squares(length: float, side: int) -> tuple[Square, ...]:
     """The ground for lines of `length` [m], its finest textures `side` texels wide."""
     outer = [INNERMOST * FARTHER**k for k in range(SQUARES)]
-    sides = [side if k < 3 else side // 2 for k in range(SQUARES)]
-    with ThreadPoolExecutor() as pool:  # numpy lets them run beside one another
-        images = pool.map(partial(land, coast_distance(length)), outer, sides)
-        return tuple(map(Square, [0.0, *outer[:-1]], outer, images))
+    sides = [side if k < 4 else side // 2 for k in range(SQUARES)]
+    halves = [MARGIN * half for half in outer]
+    images = map(partial(land, coast_distance(length)), halves, sides)
+    return tuple(map(Square, [0.0, *outer[:-1]], outer, images))
 
 
 def land(coast: float, half: float, side: int) -> NDArray[np.uint8]:

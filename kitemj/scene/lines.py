@@ -16,7 +16,7 @@ from kitemj.scene.strokes import Strokes
 COLOURS = (RED, BLUE)  # of the first lines, the pilot's left and right; others: DARK
 EDGE = 2  # px by which the dark line below is wider: one of the two is seen against anything
 EDGE_SHADE = 0.3
-DETAIL = 60.0  # px of span from which thin things are drawn
+DETAIL = 80.0  # px of span from which thin things are drawn
 SAG_PIECES = 16
 SLACK = 1e-4  # m, a line longer than its distance by more hangs
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 Field = NDArray[np.floating[Any]]
 Colour = tuple[float, float, float]
-SIDE = 512  # texels of a tile
+SIDE = 512  # texels of a tile, a power of two
 
 
 @lru_cache(maxsize=16)
@@ -69,5 +69,5 @@ def _spread(colour: Field | Colour, dimensions: int) -> Field:
 def _cells(x: Field) -> tuple[NDArray[np.int32], NDArray[np.int32], Field]:
     place = np.asarray(x, np.float32) * SIDE
     below = np.floor(place)
-    first = below.astype(np.int32) % SIDE
-    return first, (first + 1) % SIDE, place - below
+    first = below.astype(np.int32) & (SIDE - 1)
+    return first, (first + 1) & (SIDE - 1), place - below

@@ -1,9 +1,8 @@
-"""The sky as six pictures on a cube: gradient, sun, clouds, hills in the haze.
+"""The sky as pictures on walls and roof of a cube: gradient, sun, clouds, hills in the haze.
 
 All is a function of the direction, in the frame of the land: ahead (downwind), left, up.
 """
 
-from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from math import cos, sin
 
@@ -19,46 +18,47 @@ ZENITH = (0.19, 0.43, 0.78)
 WARM = (1.0, 0.96, 0.86)
 CLOUD, SHADE = (1.0, 0.995, 0.98), (0.74, 0.80, 0.88)
 HILLS = ((0.66, 0.75, 0.82), (0.52, 0.63, 0.66), (0.40, 0.51, 0.45))  # far, nearer, near
+RIM = 4  # texels of a picture beyond the edges of its face, for the mixing of neighbours
 LOWEST = 0.15  # sine of the elevation up to which hills are looked for, both ways
+ROWS = 256  # that are painted at a time: numbers that stay near the processor
 TILE = 7.0  # cloud heights that a tile of clouds covers
 
 
 def directions(side: int) -> NDArray[np.float32]:
-    """Directions in W of the texels of the cube (6, side, side, 3), in the engine's order.
+    """Directions in W of the texels of walls and roof (5, side, side, 3): +x, -x, +y, -y, +z.
 
-    Not of unit length: the largest component is ±1. Faces: +x, -x, +z, -z, -y, +y.
+    On a wall rows go down and columns to the left; at the edges of the cube, `RIM` texels from
+    those of a picture, the largest components are ±1.
     """
-    across = ((np.arange(side, dtype=np.float32) + 0.5) / side) * 2 - 1
+    across = (np.arange(side, dtype=np.float32) + 0.5 - side / 2) / (side / 2 - RIM)
     r, c = np.meshgrid(across, across, indexing="ij")
+    return np.stack([np.stack(np.broadcast_arrays(*face), axis=-1) for face in faces(c, r)])
+
+
+def faces(c: Field, r: Field) -> list[tuple[Field, Field, Field]]:
+    """Directions in W of places on each face: `c` -1..1 along columns, `r` -1..1 along rows."""
     one = np.ones_like(c)
-    faces = ((one, c, -r), (-one, -c, -r), (c, -r, one), (c, r, -one), (c, -one, -r), (-c, one, -r))
-    return np.stack([np.stack(face, axis=-1) for face in faces])
+    return [(one, c, -r), (-one, -c, -r), (-c, one, -r), (c, -one, -r), (c, -r, one)]
 
 
 @lru_cache(maxsize=2)
 def sky(side: int, azimuth: float) -> NDArray[np.uint8]:
-    """The cube's texture (6 side, side, 3) for a wind from `azimuth` [rad]."""
-    with ThreadPoolExecutor() as pool:  # numpy lets them run beside one another
-        faces = list(pool.map(lambda d: _face(d, azimuth), directions(side)))
-    return np.concatenate(faces)
-
-
-def _face(d: Field, azimuth: float) -> NDArray[np.uint8]:
-    """The picture (n, n, 3) of the texels in the directions (n, n, 3) [W]."""
-    turn = land_turn(azimuth)
-    c, s = np.float32(cos(turn)), np.float32(sin(turn))
-    image = np.empty(d.shape, np.uint8)
+    """Pictures of walls and roof (5, side, side, 3), as `directions`, for a wind's `azimuth`."""
+    every = directions(side).reshape(5 * side, side, 3)
+    image = np.empty(every.shape, np.uint8)
     image[:] = 255 * np.array(HORIZON)
-    rows = np.flatnonzero(d[:, 0, 2] > -LOWEST)
-    if rows.size:
-        x, y, z = np.ascontiguousarray(np.moveaxis(d[rows], -1, 0))
+    rows = np.flatnonzero(every[:, 0, 2] > -LOWEST)
+    turn, grain = land_turn(azimuth), np.random.default_rng(5)
+    c, s = np.float32(cos(turn)), np.float32(sin(turn))
+    for few in np.array_split(rows, max(len(rows) // ROWS, 1)):
+        x, y, z = np.ascontiguousarray(np.moveaxis(every[few], -1, 0))
         size = np.sqrt(x * x + y * y + z * z)
         x, y, z = x / size, y / size, z / size
         colour = 255 * sky_colour(c * x + s * y, c * y - s * x, z)
         # a grain of one step hides the bands of eight bits
-        colour += np.random.default_rng(5).random(x.shape, np.float32)
-        image[rows] = np.moveaxis(np.clip(colour, 0, 255), 0, -1)
-    return image
+        colour += grain.random(x.shape, np.float32)
+        image[few] = np.moveaxis(np.clip(colour, 0, 255), 0, -1)
+    return image.reshape(5, side, side, 3)
 
 
 def sky_colour(ahead: Field, left: Field, up: Field) -> Field:
@@ -80,11 +80,10 @@ def sky_colour(ahead: Field, left: Field, up: Field) -> Field:
 
 def _gradient(up: Field) -> Field:
     """RGB (3, ...) of the clear sky from a table of its sine of elevation."""
-    steps = np.linspace(0, 1, 257, dtype=np.float32)
+    steps = np.linspace(0, 1, 4096, dtype=np.float32)
     table = mixed(HORIZON, LOW, smooth(0.0, 0.30, steps) ** 0.6)
     table = mixed(table, ZENITH, smooth(0.04, 1.05, steps) ** 0.85)
-    channels = [np.interp(up, steps, channel).astype(np.float32) for channel in table]
-    return np.stack(channels)
+    return np.asarray(table.take((4095 * up).astype(np.int32), axis=1))
 
 
 def _with_clouds(colour: Field, ahead: Field, left: Field, up: Field) -> Field:

@@ -22,15 +22,15 @@ OVERHEAD = 0.7  # how far from the zenith, in parts of the lines, yaws begin to 
 
 BEHIND, ASIDE, EYE = 5.0, 0.9, 1.5  # m from O_E: behind the pilot, to the right, above ground
 HORIZON = 0.78  # half heights of the frame below its middle
-KITE, KITE_LOW = 0.58, 0.60  # half heights above the middle, and below it for one on the ground
+KITE, KITE_LOW = 0.53, 0.60  # half heights above the middle, and below it for one on the ground
 EASING = radians(3.0)
-NARROW, NARROWEST = radians(36.0), radians(22.0)  # for a kite that is low; far
-LOW_SPAN, HIGH_SPAN = 0.045, 0.065  # of the width of a frame, at least, for a kite low and high
-LOW, HIGH = radians(40.0), radians(62.0)
+WIDE, NARROW, NARROWEST = radians(53.0), radians(36.0), radians(22.0)  # with the horizon; low; far
+LOW_SPAN, HIGH_SPAN = 0.035, 0.075  # of the width of a frame, at least, for a kite low and high
+LOW, HIGH = radians(37.0), radians(56.0)
 
 CHASE_FIELD = radians(50.0)
 CHASE_SPANS = 3.6  # from the kite
-CHASE_ABOVE = radians(5.0)  # the lines, which else would be seen from their end
+CHASE_ABOVE = radians(7.0)  # the lines, which else would be seen from their end
 CHASE_LOW = radians(3.0)  # how much lower than the kite it looks
 LEAST_EYE = 0.7  # m above the ground
 
@@ -122,7 +122,7 @@ def pilot_aim(parameters: Parameters, motion: Motion) -> PilotAim:
     climbed = min(max((elevation - LOW) / (HIGH - LOW), 0.0), 1.0)
     share = LOW_SPAN + (HIGH_SPAN - LOW_SPAN) * climbed
     widest = parameters.kite.span / parameters.lines.length / (share * 2 * 16 / 9)
-    T = min(max(T, tan(NARROW / 2)), max(widest, tan(NARROWEST / 2)))
+    T = min(max(T, tan(NARROW / 2)), max(widest, tan(NARROWEST / 2)), tan(WIDE / 2))
     return PilotAim(yaw, elevation, 2 * atan(T))
 
 
@@ -151,31 +151,28 @@ def pilot(parameters: Parameters, motion: Motion) -> Camera:
 
 
 class ChaseAim(NamedTuple):
-    """The kite's place [m, E], and the yaw and elevation [rad] of its lines."""
+    """The kite's place [m, E]."""
 
     x: float
     y: float
     z: float
-    yaw: float
-    elevation: float
 
 
-def chase_aim(parameters: Parameters, motion: Motion) -> ChaseAim:
+def chase_aim(_: Parameters, motion: Motion) -> ChaseAim:
     """What the chase view follows."""
-    G = motion.body.p_G_E
-    return ChaseAim(*G, *bearing_of(parameters, G))
+    return ChaseAim(*motion.body.p_G_E)
 
 
 def chase_camera(parameters: Parameters, aim: ChaseAim) -> Camera:
     """Some spans from the kite on the pilot's side, along the lines, a little above them."""
-    span, L = parameters.kite.span, parameters.lines.length
-    distance = min(CHASE_SPANS * span, 0.6 * L)
-    pitch = min(max(aim.elevation, 0.0) - CHASE_ABOVE, HIGHEST)
-    away = turned_to(parameters, aim.yaw, pitch)
-    eye = plus(Vector(aim.x, aim.y, aim.z), times(-distance, away))
+    kite, span = Vector(*aim), parameters.kite.span
+    yaw, elevation = bearing_of(parameters, kite)
+    pitch = min(max(elevation, 0.0) - CHASE_ABOVE, HIGHEST)
+    distance = min(CHASE_SPANS * span, 0.6 * parameters.lines.length)
+    eye = plus(kite, times(-distance, turned_to(parameters, yaw, pitch)))
     height = (LEAST_EYE - eye.z + hypot(LEAST_EYE + eye.z, 0.5)) / 2  # the larger
-    eye = Vector(eye.x, eye.y, -height)
-    return _level(eye, parameters, aim.yaw, pitch - CHASE_LOW, CHASE_FIELD)._replace(near=True)
+    camera = _level(eye._replace(z=-height), parameters, yaw, pitch - CHASE_LOW, CHASE_FIELD)
+    return camera._replace(near=True)
 
 
 def chase(parameters: Parameters, motion: Motion) -> Camera:

@@ -17,6 +17,10 @@ LOOK = CHUNK / RATE / 6
 """s between looks at whether another chunk is wanted."""
 
 
+PATIENCE = 1.0
+"""s that a device may take for the last chunks; one that has gone takes none."""
+
+
 class Speaker:
     """Plays what was last told by `hear`; each chunk leads from the one before to that.
 
@@ -47,7 +51,7 @@ class Speaker:
         self._heard = SILENCE
         self._stopping.set()
         if self._thread:
-            self._thread.join()
+            self._thread.join(PATIENCE)
             self._thread = None
 
     def _run(self) -> None:
@@ -55,8 +59,13 @@ class Speaker:
         before, place = SILENCE, Place()
         while before != SILENCE or not self._stopping.is_set():
             now = self._heard
-            wanted = before != SILENCE or now != SILENCE
-            if wanted and self._wind.get_queue() is None:
+            silent = before == SILENCE == now
+            if not silent and not self._wind.get_busy():
+                # it ran dry; or pygame lost a chunk that was put behind one that ended just then
+                chunk, place = samples(SILENCE, now, place)
+                self._wind.play(pygame.mixer.Sound(buffer=chunk))
+                before = now
+            elif not silent and self._wind.get_queue() is None:
                 chunk, place = samples(before, now, place)
                 self._wind.queue(pygame.mixer.Sound(buffer=chunk))
                 before = now

@@ -83,10 +83,11 @@ def paint_frames(
 ) -> dict[str, Frame]:
     """The last moment of a flight in real time: the cockpit, then each view alone."""
     stick = ProgrammedStick([Row(t, steer) for t, steer in MOVES], physics.parameters)
+    picture.depth = "engineer"
     picture.paint(physics.result.motion, None, Readings())
     observe(physics, round(seconds / TICK), lambda: picture, FRAME_TIME, stick)
     result, readings = physics.result, readings_of(physics)
-    frames = {"cockpit": picture.paint(result.motion, result.reference, readings)}
+    frames = {"cockpit": picture.paint(result.motion, result.reference, readings, "chase")}
     picture.shown = set(SHOWN_ALONE)
     for view in VIEWS:
         frames[view] = picture.paint(result.motion, result.reference, readings, view)
@@ -107,7 +108,7 @@ _COCKPIT = (
     "The cockpit, as a pilot sees it. Left, from above: where the kite is; α and β as parts of "
     "what the model is valid for; tensions of both lines. Below: the knob, which shows the δ that "
     "is flown and, in yellow, the δ that is asked for; the model, and how far its reference is. "
-    "Right: the whole from behind the pilot; the wind window; missed ticks over the last 20 s, "
+    "Right: the same from behind the pilot; the wind window; missed ticks over the last 20 s, "
     "with how late ticks were (green) and how long frames took (blue)."
 )
 
@@ -120,8 +121,8 @@ _THESIS = [
 ]
 
 _HERE = [
-    "One frame holds everything: the kite from near with the forces on it, the whole from "
-    "the pilot, knob, limits, tensions, punctuality. Main view and instruments are chosen by keys.",
+    "One frame holds everything: the kite from near with the forces on it, as the pilot sees it "
+    "besides, knob, limits, tensions, punctuality. Main view and instruments are chosen by keys.",
     f"The frames below are of the last moment of {SECONDS:g} s in real time under a programmed "
     f"stick, painted while it was flown; every number in them is that flight's. The kite is "
     f"drawn to scale from near, and larger than it is from afar, where it could not be seen.",

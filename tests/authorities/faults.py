@@ -52,6 +52,8 @@ OSCILLATOR = "test_scene:test_an_eye_is_the_oscillator_of_the_textbook"
 PULLED = "test_scene:test_the_hand_whose_line_is_short_is_back"
 PORT = "test_scene:test_port_is_red"
 BELLIES = "test_scene:test_a_sail_bellies_to_leeward"
+GNOMON = "test_scene:test_a_shadow_is_that_of_a_gnomon"
+VANE = "test_scene:test_what_the_wind_moves_goes_to_leeward"
 
 FAULTS = [
     Fault(
@@ -526,8 +528,8 @@ FAULTS = [
     Fault(
         "lateness told in seconds",
         "drawing.strip_chart",
-        "late {1e3 * lateness:.1f}",
-        "late {lateness:.1f}",
+        "{1e3 * lateness:.1f} ms",
+        "{lateness:.1f} ms",
         PANELS,
     ),
     Fault(
@@ -595,7 +597,7 @@ FAULTS = [
     ),
     Fault(
         "a stunt kite with its colours exchanged",
-        "scene.delta",
+        "scene.stunt",
         "np.where(left[..., None], RED, BLUE)",
         "np.where(left[..., None], BLUE, RED)",
         PORT,
@@ -609,7 +611,7 @@ FAULTS = [
     ),
     Fault(
         "a sail that bellies into the wind",
-        "scene.delta",
+        "scene.stunt",
         "points[:, 2] -= plan.span",
         "points[:, 2] += plan.span",
         BELLIES,
@@ -627,5 +629,33 @@ FAULTS = [
         'f"{motion.air.speed:.1f}"',
         'f"{3.6 * motion.air.speed:.1f}"',
         PANELS,
+    ),
+    Fault(
+        "a shadow on the side of the sun",
+        "scene.shadow",
+        "points[:, :2] - way",
+        "points[:, :2] + way",
+        GNOMON,
+    ),
+    Fault(
+        "a land that turns against the wind",
+        "scene.sun",
+        "-cos(a) * x - sin(a) * y",
+        "-cos(a) * x + sin(a) * y",
+        GNOMON,
+    ),
+    Fault(
+        "a sock that streams into the wind",
+        "scene.wind_signs",
+        "Vector(v.x / size, v.y / size, 0.0)",
+        "Vector(-v.x / size, -v.y / size, 0.0)",
+        VANE,
+    ),
+    Fault(
+        "gusts that come back",
+        "scene.field",
+        "ahead = first + share * (last - first)",
+        "ahead = last - share * (last - first)",
+        VANE,
     ),
 ]

@@ -12,11 +12,16 @@ import pytest
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
 from kitemj.physics.wind import Wind
+from kitemj.scene.airflow import Airflow
 from kitemj.scene.canopy import canopy
 from kitemj.scene.cloth import Fill
 from kitemj.scene.eye import damped
+from kitemj.scene.field import gust
 from kitemj.scene.figure import hands
+from kitemj.scene.shadow import outline
+from kitemj.scene.sun import sun
 from kitemj.scene.views import CAMERAS, pixel
+from kitemj.scene.wind_signs import ribbon, sock
 from tests.authorities.by_hand import motion
 from tests.support import LAKSA
 
@@ -75,3 +80,27 @@ def test_a_sail_bellies_to_leeward():
     assert moved.min() < -0.02 * STUNT.kite.span
     spine = np.abs(full[:, 1]) < 1e-9
     assert np.abs(moved[spine]).max() < 1e-9
+
+
+def test_a_shadow_is_that_of_a_gnomon():
+    """The sun is behind the left shoulder at a tangent of 0.86 to 0.36 each way: of a tip 86 m up,
+    36 m ahead of it and 36 m to its right, in a wind along (-0.8, -0.6).
+    """
+    tip = motion(Vector(-40.0, -30.0, -86.0))
+    small = 1e-3 * np.array([(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (-1.0, -1.0, 0.0)])
+    place = outline(small, tip.body, sun(BESIDE)).mean(axis=0)
+    ahead, right = (-0.8, -0.6), (0.6, -0.8)
+    fallen = np.subtract(place, (-40.0, -30.0))
+    assert (fallen @ ahead, fallen @ right) == pytest.approx((36.0, 36.0), abs=1e-3)
+
+
+def test_what_the_wind_moves_goes_to_leeward():
+    """Socks and ribbons stream along (-0.8, -0.6); a gust is 7 m farther after 1 s of 7 m/s."""
+    v, top = Vector(-5.6, -4.2, 0.0), Vector(0.0, 0.0, -4.0)
+    for points in (sock(top, v, 7.0, 2.0), ribbon(top, v, 7.0, 2.0)):
+        end = np.subtract(points[-1], top)
+        assert end @ (-0.8, -0.6, 0.0) > 0.7 * np.linalg.norm(end)
+    air = Airflow(BESIDE)
+    assert air.drift(9.0) - air.drift(8.0) == pytest.approx(7.0)
+    ways = [gust(BESIDE, 0, air.drift(t), 1.0)[0] for t in (8.0, 9.0)]
+    assert ways[1] - ways[0] == pytest.approx(7.0)

@@ -1,5 +1,7 @@
 """A recording looked at again: the mouse turns the eye, buttons play, a flight goes on after."""
 
+import time
+
 import pygame
 import pytest
 
@@ -23,7 +25,7 @@ SPORT = scenario_of({"set": "sport", "duration": 60.0}, "test")
 
 @pytest.fixture(scope="module")
 def picture():
-    with Picture(SPORT.parameters, *SIZE) as picture:
+    with Picture(SPORT.parameters, *SIZE, quality="low") as picture:
         yield picture
 
 
@@ -139,6 +141,7 @@ def test_a_flight_is_watched_again_and_goes_on(window, picture, tmp_path, monkey
 
     def watching(replay, meanwhile):
         seen.append(replay.player.duration)
+        time.sleep(1.0)
         press(pygame.K_ESCAPE)
         run(replay, meanwhile)
 
@@ -149,4 +152,5 @@ def test_a_flight_is_watched_again_and_goes_on(window, picture, tmp_path, monkey
     physics.wait()
     summary = fly(physics, picture, window, duration=20.0)
     assert seen[0] > 0.5, "what was flown until then"
-    assert seen[0] < summary.flown < summary.wall - 0.5, "it stood meanwhile, and went on"
+    assert seen[0] < summary.flown, "it went on"
+    assert abs(summary.flown + summary.times.lost - summary.wall) < 0.4, "it stood meanwhile"

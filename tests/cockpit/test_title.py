@@ -7,16 +7,20 @@ import numpy as np
 import pygame
 import pytest
 
-from kitemj.cockpit.demonstration import Demonstration
+from kitemj.cli import main
+from kitemj.cockpit.demonstration import MOST, Demonstration
 from kitemj.cockpit.home import Doors, Home
 from kitemj.cockpit.menu import Entry, Menu
 from kitemj.cockpit.screens import Window, display_found
 from kitemj.cockpit.title import Title
-from kitemj.cockpit.title_page import paint_title
+from kitemj.cockpit.title_page import _shade, paint_title
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
 from kitemj.drawing.picture import Picture
+from kitemj.flight.live import Command
 from kitemj.flight.scenario import scenario_of
+from kitemj.physics.parameter_files import set_names
+from kitemj.recording.live import LiveFlight
 from kitemj.recording.recorder import latest
 from tests.controls.virtual_pad import VirtualPad
 
@@ -72,10 +76,15 @@ def window(monkeypatch):
     pygame.display.quit()
 
 
+@pytest.fixture(scope="module")
+def picture():
+    with Picture(SPORT.parameters, *SIZE, quality="low") as picture:
+        yield picture
+
+
 @pytest.fixture
-def title(window):
-    with Picture(SPORT.parameters, *SIZE) as picture:
-        yield Title(picture, window, menu(), Demonstration(SPORT))
+def title(window, picture):
+    return Title(picture, window, menu(), Demonstration(SPORT))
 
 
 def mouse(kind, at, **more):
@@ -138,6 +147,14 @@ def test_the_demonstration_flies_and_begins_anew_after_the_ground(monkeypatch):
     assert show.motion.t == 0.0
 
 
+@pytest.mark.parametrize("kite", set_names())
+def test_every_kite_has_a_show_that_stays_in_the_air(kite):
+    show = Demonstration(scenario_of({"set": kite, "duration": 60.0}, "test"))
+    for _ in range(150):
+        show.advance(MOST)
+    assert show.motion.t == pytest.approx(15.0)
+
+
 def test_latest_is_the_flight_last_written_here(tmp_path):
     assert latest(tmp_path) is None
     for age, name in enumerate(("kitemj-2.arrows", "kitemj-1.arrows", "mine.arrows")):
@@ -146,24 +163,31 @@ def test_latest_is_the_flight_last_written_here(tmp_path):
     assert latest(tmp_path) == tmp_path / "kitemj-1.arrows"
 
 
-class Child:
-    """A process that only remembers that it was let go."""
+class Idle:
+    """A process, or a picture, that does nothing."""
 
-    closed = 0
+    width, height = SIZE
+
+    def __init__(self, parameters=None, *_):
+        self.parameters = parameters
 
     def close(self):
-        Child.closed += 1
+        pass
+
+    kill = close
 
 
 def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypatch, tmp_path):
-    """Fly, then lessons, another kite, fly that, leave: in one window."""
+    """Be silent, fly, another kite, lessons, fly that one twice and close the window."""
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("kitemj.cockpit.home.launch", Child)
+    monkeypatch.setattr("kitemj.cockpit.home.launch", Idle)
+    monkeypatch.setattr("kitemj.cockpit.home.Picture", Idle)
+    monkeypatch.setattr("kitemj.cockpit.home.Demonstration", Idle)
     assert display_found()
     flown, surfaces = [], set()
-    wanted = iter(["fly", "lessons", "kite", "fly", "leave"])
+    wanted = iter(["fly", "kite", "lessons", "fly", "fly"])
 
     def scenario(kite):
         return scenario_of({"set": kite, "duration": 60.0}, kite)
@@ -174,10 +198,12 @@ def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypa
     def fly(kite, lessons, child, kept):
         assert kept.picture.parameters == scenario(kite).parameters
         flown.append((kite, lessons, kept.sound))
-        kept.sound = False
+        kept.closed = len(flown) == 4
         return len(flown)
 
     def run(title):
+        if not surfaces:
+            title._window.wishes.ask(["sound"])
         surfaces.add(pygame.display.get_surface())
         key = next(wanted)
         title._menu.marked = [entry.key for entry in title._menu.entries].index(key)
@@ -186,8 +212,71 @@ def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypa
 
     monkeypatch.setattr(Title, "run", run)
     doors = Doors(scenario, window, fly, lambda: (2, 7))
-    assert Home(doors, "sport", SIZE, sound=True).run(Child()) == 3
-    assert flown == [("sport", False, True), ("sport", True, False), ("thesis", False, False)]
+    home = Home(doors, "sport", SIZE, sound=True, quality="low")
+    assert home.run(Idle()) == 4
+    thesis = ("thesis", False, False)
+    assert flown == [("sport", False, False), ("sport", True, False), thesis, thesis]
     assert len(surfaces) == 1
-    assert Child.closed == 1, "the one that flew nothing"
     pygame.display.quit()
+
+
+def luminance(pixels):
+    """Relative luminance of sRGB colours (n, 3) in 0..255; WCAG 2.1."""
+    share = np.asarray(pixels, float) / 255
+    linear = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+    return linear @ (0.2126, 0.7152, 0.0722)
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1280, 720), (640, 360)])
+def test_what_is_written_is_legible_before_a_white_cloud(size):
+    """A contrast of 4.5 : 1 (WCAG 2.1, 1.4.3) where the page differs from its bare shade."""
+    made, white = menu(), pygame.Surface(size)
+    made.entries[3].says = "a sentence that is rather long, so that it fills its room"
+    made.marked = 3
+    white.fill((255, 255, 255))
+    paint_title(white, made)
+    bare = pygame.Surface(size)
+    bare.fill((255, 255, 255))
+    bare.blit(_shade(size), (0, 0))
+    written, ground = (pygame.surfarray.array3d(each).astype(int) for each in (white, bare))
+    changed = np.argwhere(np.abs(written - ground).max(axis=2) > 0)
+    assert changed[:, 0].max() < 0.45 * size[0], "nothing is written on the kite's side"
+    text = luminance(written[tuple(changed.T)])
+    behind = luminance(ground[tuple(changed.T)])
+    strokes = text >= np.quantile(text, 0.7)  # the rest are their soft edges
+    contrast = (text[strokes] + 0.05) / (behind[strokes] + 0.05)
+    assert contrast.min() >= 4.5
+
+
+@pytest.mark.parametrize(
+    ("words", "what"),
+    [
+        ((), "title"),
+        (("--size", "640x360", "--view", "chase", "--no-record"), "title"),
+        (("--no-title",), "flight"),
+        (("--duration", "3"), "flight"),
+        (("--kite", "thesis"), "flight"),
+        (("--lessons",), "flight"),
+        (("--pilot", "eight"), "flight"),
+        (("steer_80m",), "flight"),
+    ],
+)
+def test_who_asks_for_a_certain_flight_sees_no_title(monkeypatch, words, what):
+    seen = []
+    monkeypatch.setattr("kitemj.realtime.launch.launch", lambda: None)
+    monkeypatch.setattr("kitemj.cockpit.screens.display_found", lambda: True)
+    monkeypatch.setattr("kitemj.commands.fly._fly", lambda *_: seen.append("flight"))
+    monkeypatch.setattr("kitemj.commands.fly._from_title", lambda *_: seen.append("title"))
+    assert main(["fly", *words]) == 0
+    assert seen == [what]
+
+
+def test_replay_of_nothing_is_the_last_flight_or_a_sentence(monkeypatch, tmp_path, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["replay", "--headless"]) == 1
+    assert "there is no kitemj-*.arrows in this folder" in capsys.readouterr().err
+    with LiveFlight(SPORT, record=tmp_path / "kitemj-1.arrows") as flight:
+        for _ in range(60):
+            flight.tick(Command())
+    assert main(["replay", "--export", "csv"]) == 0
+    assert (tmp_path / "kitemj-1.csv").exists()

@@ -25,6 +25,7 @@ from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.flight.limits import LIMITS, Departure
 from kitemj.physics.parameter_files import parameter_set
+from kitemj.physics.vectors import Vector
 from kitemj.pilots.course import LessonStatus
 from kitemj.pilots.crash import Touch
 from kitemj.scene.gl import NoGraphics
@@ -40,9 +41,21 @@ COVERED = 0.12
 LEAST = {"pilot": 8.0, "engineer": 7.5}
 """px, digits in a frame of 360 rows: as text of 11 and 10 px, the smallest of usual screens."""
 
+USUAL = {
+    "pilot": lambda w, h: pygame.Rect(0.05 * w, 0.0, 0.9 * w, 0.6 * h),
+    "engineer": lambda w, h: pygame.Rect(w / 3, 0.3 * h, w / 3, 0.3 * h),
+}
+"""Where the kite is while it flies; a pilot follows it with the eyes, and sees all of the sky."""
+
 CALM = motion_at(LAKSA, EQUILIBRIUM)
 SLACK = motion_at(LAKSA, EQUILIBRIUM, slack=1.0)
 OVER = pulling(CALM, 700.0, 43.8)
+FAR = Vector(300.0, -30.0, -1234.5)
+WILD = pulling(CALM, 12345.0, -12.3)._replace(
+    air=CALM.air._replace(alpha=-3.11, beta=-1.55, speed=123.4),
+    body=CALM.body._replace(p_G_E=FAR),
+    t=3599.9,
+)
 LATE = np.where(np.arange(CHART_COLUMNS) % 90, 1e-3, 0.02)
 TRACES = Traces(np.empty((0, 3)), -60.0, LATE, 0.02 + LATE)
 LESSON = LessonStatus(
@@ -70,6 +83,19 @@ MOMENTS: dict[str, tuple[Any, Readings]] = {
     "calm": (CALM, Readings(assist=True, speed=0.25, stick="gamepad", gap=2.5)),
     "slack": (SLACK, Readings(speed=0.0, missed_ticks=3, traces=TRACES)),
     "over": (OVER, Readings(message=GONE)),
+    "wild": (
+        WILD,
+        Readings(
+            model="newton_euler and lagrange",
+            stick="reference: newton_euler 12/12",
+            gap=1234.5,
+            speed=0.25,
+            missed_ticks=12345,
+            lateness=12.3456,
+            assist=True,
+            traces=TRACES,
+        ),
+    ),
     "lesson": (CALM, Readings(lesson=LESSON)),
     "praise": (CALM, Readings(lesson=LESSON._replace(praised=True, push=0.0))),
     "crash": (CALM, Readings(touch=CRASH, lesson=LESSON._replace(down=True), message=GONE)),
@@ -211,7 +237,7 @@ def test_no_text_overlaps_anything(size: tuple[int, int], depth: str, name: str)
 
 @pytest.mark.parametrize("depth", ["pilot", "engineer"])
 def test_no_text_is_smaller_than_a_small_screen_shows(depth: str) -> None:
-    for moment in MOMENTS:
+    for moment in MOMENTS.keys() - {"wild"}:  # whose numbers are made to fit
         words, _, _ = painted(moment, depth, (640, 360))
         for each in words:
             assert each.height >= LEAST[depth], (moment, each.text)
@@ -232,12 +258,25 @@ def test_a_pilots_instruments_are_a_small_part_of_the_picture(size: tuple[int, i
 @pytest.mark.parametrize("size", SHAPES)
 @pytest.mark.parametrize("depth", ["pilot", "engineer"])
 def test_the_kites_usual_place_is_free(size: tuple[int, int], depth: str) -> None:
-    flying = [m for m, (_, readings) in MOMENTS.items() if depth == "pilot" or not readings.touch]
+    flying = [moment for moment, (_, readings) in MOMENTS.items() if not readings.touch]
     for moment in flying:
-        covered = changed(moment, size, depth)
-        rows, columns = covered.shape
-        place = covered[round(0.3 * rows) : round(0.6 * rows), columns // 3 : 2 * columns // 3]
-        assert not place.any(), moment
+        _, surface, _ = painted(moment, depth, size)
+        place = pygame.surfarray.array3d(surface.subsurface(USUAL[depth](*size)))
+        assert (place == 128).all(), moment
+
+
+@pytest.mark.parametrize("size", SHAPES)
+@pytest.mark.parametrize("depth", ["pilot", "engineer"])
+def test_the_card_of_a_touch_is_over_a_kite_that_lies_on_the_ground(
+    size: tuple[int, int], depth: str
+) -> None:
+    """Which is seen low in the frame; a lesson that waits for another flight is on the card."""
+    covered = changed("crash", size, depth)
+    rows, columns = covered.shape
+    middle = slice(round(0.35 * columns), round(0.65 * columns))
+    assert covered[round(0.1 * rows) : round(0.5 * rows), middle].any()
+    low = covered[round(0.66 * rows) : round(0.8 * rows), middle]
+    assert not low.any()
 
 
 def test_what_a_pilot_flies_by_and_nothing_else() -> None:

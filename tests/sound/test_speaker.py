@@ -19,8 +19,14 @@ class Channel:
     def __init__(self, speaker, most):
         self.speaker, self.most, self.chunks = speaker, most, []
 
+    def get_busy(self):
+        return bool(self.chunks)
+
     def get_queue(self):
         return None
+
+    def play(self, sound):
+        self.queue(sound)
 
     def queue(self, sound):
         self.chunks.append(np.array(pygame.sndarray.array(sound)))
@@ -49,6 +55,31 @@ def test_chunks_lead_from_silence_to_silence_without_a_jump(speaker):
     edges = np.arange(CHUNK - 1, len(steps), CHUNK)
     assert steps[edges].max() <= np.delete(steps, edges).max()
     assert np.abs(whole[[0, -1]]).max() <= 1
+
+
+class Forgetful(Channel):
+    """Takes the second chunk just as the first one ends, and so never plays it."""
+
+    def get_busy(self):
+        return len(self.chunks) not in (0, 2)
+
+    def get_queue(self):
+        return "a chunk that is never played" if len(self.chunks) == 2 else None
+
+    def queue(self, sound):
+        super().queue(sound)
+        if len(self.chunks) > 2:
+            self.speaker.hear(SILENCE)
+
+
+def test_a_chunk_that_the_system_lost_is_not_waited_for(speaker):
+    channel = speaker._wind = Forgetful(speaker, 9)
+    speaker.hear(CALM)
+    until = time.monotonic() + 10.0
+    while len(channel.chunks) < 3 and time.monotonic() < until:
+        time.sleep(0.01)
+    assert len(channel.chunks) >= 3
+    assert np.abs(channel.chunks[2][0]).max() <= 1, "it begins from silence, without a click"
 
 
 def test_a_chunk_is_whole_buffers_of_the_system():
