@@ -15,6 +15,8 @@ from kitemj.scene.quality import FILM, HIGH, Quality
 from kitemj.scene.scene import Scene
 from kitemj.scene.views import Camera
 
+LEAST_ROWS = 420  # px, below which a kite far away would be lost between the lines
+
 
 class Renderer(Closing):
     """Frames of `width` x `height` pixels of one parameter set; `scene` is what is in them.
@@ -80,7 +82,8 @@ class Renderer(Closing):
 
     def _scaled(self, side: int) -> int:
         """A length [px] of the frame in what is rendered, which may be smaller."""
-        return round(self.quality.scale * side)
+        scale = max(self.quality.scale, min(LEAST_ROWS / self.height, 1.0))
+        return round(scale * side)
 
     def resize(self, width: int, height: int) -> None:
         """Makes the next frames `width` x `height` pixels large."""
