@@ -89,6 +89,7 @@ class Home:
         finally:
             self._kept.picture.close()
             if child:
+                child.kill()  # it only loads, and nobody waits for that
                 child.close()
         return status
 

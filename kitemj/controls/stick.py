@@ -45,10 +45,9 @@ class PilotStick:
 def show_of(parameters: Parameters) -> Stick:
     """A pilot of figures of eight for a kite that turns, else a programmed stick.
 
-    A kite turns where its nose follows its motion: C_nβ > 0.
+    A kite turns to the hand that pulls unless its set says that it drifts away from it.
     """
-    turns = getattr(parameters.aero, "Cn_beta", 0.0) > 0
-    return PilotStick(Eight()) if turns else show(parameters)
+    return show(parameters) if parameters.stick.mirrored else PilotStick(Eight())
 
 
 class PersonStick:
