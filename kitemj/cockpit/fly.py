@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import pygame
 
 from kitemj.cockpit.replay_window import ReplayWindow
-from kitemj.cockpit.screens import FRAME_RATE, Screen, Window
+from kitemj.cockpit.screens import Screen, Window
 from kitemj.controls.actions import HELP, Wishes
 from kitemj.controls.programmed import ProgrammedStick
 from kitemj.drawing.history import History
@@ -103,7 +103,7 @@ def fly(
             frames += 1
             history.add_frame(painting, time.perf_counter() - painting)
             first = first or time.perf_counter() - called
-            clock.tick(FRAME_RATE)
+            clock.tick(picture.rate)
     except KeyboardInterrupt:
         ending = "interrupted"  # leaving in a hurry is leaving: film and summary are complete
     finally:

@@ -21,9 +21,9 @@ LEAST_ROWS = 420  # px, below which a kite far away would be lost between the li
 class Renderer(Closing):
     """Frames of `width` x `height` pixels of one parameter set; `scene` is what is in them.
 
-    A context manager. `quality` may be set between frames; texels and samples stay those of the
-    first. Any thread may render, one at a time. Raises `NoGraphics` where OpenGL is
-    missing.
+    A context manager. `software`: whether the processor draws. `quality` may be set between
+    frames; texels and samples stay those of the first. Any thread may render, one at a time.
+    Raises `NoGraphics` where OpenGL is missing.
     """
 
     def __init__(
@@ -31,7 +31,8 @@ class Renderer(Closing):
     ) -> None:
         self.width, self.height, self.quality = width, height, quality
         self._graphics = open_graphics(width, height)
-        if not self._graphics.software:
+        self.software = self._graphics.software
+        if not self.software:
             quality = quality._replace(samples=FILM.samples)  # it costs nothing there
         self.scene = Scene(parameters, width, height, quality)
         with self._graphics.context.as_current():
