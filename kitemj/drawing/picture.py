@@ -59,6 +59,7 @@ class Picture(Closing):
         `quality`: a name of QUALITIES; "auto" lets the first second of frames choose
         """
         _check(width, height)
+        self._quality = quality
         self.parameters, self.width, self.height = parameters, width, height
         self.depth, self.shown, self.whole_trail = DEPTHS[0], set(INSTRUMENTS), False
         self.eye = Eye(parameters)
@@ -77,6 +78,13 @@ class Picture(Closing):
         self.width, self.height, self._camera = width, height, None
         self._renderer.resize(width, height)
         self._instruments = Instruments(self.parameters, width, height)
+        if self._chooser:  # another size is another cost
+            self._chooser = QualityChooser(self.rate, self._chooser.name)
+
+    @property
+    def quality(self) -> str:
+        """The name of the quality of the next frame."""
+        return self._chooser.name if self._chooser else self._quality
 
     def paint(
         self,

@@ -34,6 +34,7 @@ class Renderer(Closing):
         self.software = self._graphics.software
         if not self.software:
             quality = quality._replace(samples=FILM.samples)  # it costs nothing there
+        self._sampled = quality.samples > 0
         self.scene = Scene(parameters, width, height, quality)
         with self._graphics.context.as_current():
             font = mujoco.mjtFontScale.mjFONTSCALE_100
@@ -73,6 +74,8 @@ class Renderer(Closing):
         with self._graphics.context.as_current():
             mujoco.mjr_readPixels(pixels, None, mujoco.MjrRect(0, 0, wide, tall), self._context)
         upright = np.ascontiguousarray(pixels[::-1])
+        if self._sampled:  # there Mesa's software leaves these black
+            upright[:, 0], upright[-1] = upright[:, 1], upright[-2]
         if (wide, tall) == (self.width, self.height):
             return upright
         frame = np.empty((self.height, self.width, 3), np.uint8)
