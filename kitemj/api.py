@@ -152,29 +152,36 @@ def film(
     *,
     model: str | None = None,
     view: str = "pilot",
-    size: tuple[int, int] = (1280, 720),
-    rate: int = 30,
+    size: tuple[int, int] | None = None,
+    rate: int | None = None,
     speed: float = 1.0,
+    turn: float = 0.0,
+    title: str = "",
     instruments: str = "pilot",
     overwrite: bool = False,
 ) -> Path:
     """Films a flight, a recording or a scenario, and returns the film's path.
 
-    `path`: the film, .mp4 or .gif
+    `path`: the film, .mp4, .webp or .gif
     `model`: flies a scenario (mujoco), or the input of a recording again, beside it
     `view`: pilot, chase, side, top or orbit
-    `size`: width and height [px]
-    `rate`: frames/s of the film
+    `size`: width and height [px]; None: 1280 x 720; of a WebP 640 x 360, of a GIF 480 x 270
+    `rate`: frames/s of the film; None: 30; of a WebP 20, of a GIF 12
     `speed`: of the flight on the film, 2: twice as fast as it was
+    `turn`: with the view orbit, degrees/s that it goes round the kite, positive to the right
+    `title`: over the first 3 s
     `instruments`: how much is shown over the view: pilot, engineer or none
     `overwrite`: whether a file that is there may be replaced
 
     Raises InputError, and NoGraphics where nothing can draw.
     """
     from kitemj.cockpit.film_sources import film_source
-    from kitemj.cockpit.filming import FilmStyle, check_output, film
+    from kitemj.cockpit.filming import FilmStyle, check_output, film, usual_for
 
-    path, style = Path(path), FilmStyle(size, view, instruments, rate, speed)
+    path = Path(path)
+    usual = usual_for(path)
+    size, rate = size or usual.size, usual.rate if rate is None else rate
+    style = FilmStyle(size, view, instruments, rate, speed, turn, title)
     check_output(path, style, still=False, overwrite=overwrite)
     film([film_source(source, model, None, speed / rate)], path, style, overwrite=overwrite)
     return path

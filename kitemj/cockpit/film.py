@@ -5,17 +5,26 @@ from typing import Any
 
 import av
 import numpy as np
-from av.filter import Graph
 from numpy.typing import NDArray
 
 from kitemj.closing import Closing
+from kitemj.cockpit.gif_colours import GifColours
 from kitemj.errors import InputError
 from kitemj.files import NewFile
 from kitemj.signals import held
 
-OPTIONS = {"preset": "veryfast", "crf": "20"}
+CODECS: dict[str, tuple[str, str, dict[str, str]]] = {
+    "mp4": ("libx264", "yuv420p", {"preset": "veryfast", "crf": "20"}),
+    "webp": ("libwebp_anim", "yuv420p", {"quality": "85", "compression_level": "4"}),
+    "gif": ("gif", "pal8", {}),
+}
+"""By the ending of a film's name: its encoder, what that takes, and how it is asked for.
+
+Below a quality of 85 WebP keeps blocks of the frame before where the eye sees that they moved.
+"""
+SUFFIXES = tuple(f".{kind}" for kind in CODECS)
 CONTAINER = {"movflags": "+faststart"}  # the index in front: plays while it loads
-SUFFIXES = (".mp4", ".gif")
+FOR_EVER = {"loop": "0"}
 GIF_RATE = 50
 """Frames/s, the most that a GIF can have (its clock ticks 100 times a second)."""
 FILM_RATE = 1000
@@ -23,7 +32,9 @@ FILM_RATE = 1000
 
 
 class Film(Closing):
-    """H.264 in mp4 (or a GIF, by the name) from frames of `width` x `height` px at `rate` a second.
+    """A film of frames of `width` x `height` px at `rate` a second.
+
+    H.264 in mp4; by its name a WebP or a GIF, which begins anew for ever.
 
     A context manager. However it is left, by an exception and Ctrl-C too, the frames added
     until then make a complete film; without any frame there is none.
@@ -39,7 +50,8 @@ class Film(Closing):
         """
         self.path, self.width, self.height, self.frames = Path(path), width, height, 0
         check_film(self.path, width, height, rate)
-        self._graph: Graph | None = None
+        self._colours: GifColours | None = None
+        self._encoded = 0  # frames, of which some may still be held
         self._file = NewFile(self.path, overwrite)
         try:
             self._begin(str(self._file.part), rate)
@@ -50,17 +62,17 @@ class Film(Closing):
         self._open = True
 
     def _begin(self, part: str, rate: int) -> None:
-        if self.path.suffix.lower() == ".gif":
-            self._container = av.open(part, "w", format="gif")
-            self._stream: Any = self._container.add_stream("gif", rate=rate)
-            self._stream.pix_fmt = "pal8"
-            self._graph = _palettes(self.width, self.height, rate)
-        else:
-            options = dict(CONTAINER)
-            self._container = av.open(part, "w", format="mp4", container_options=options)
-            self._stream = self._container.add_stream("libx264", rate=rate, options=dict(OPTIONS))
-            self._stream.pix_fmt = "yuv420p"
+        kind = self.path.suffix.lower().removeprefix(".")
+        codec, pixels, options = CODECS[kind]
+        container = CONTAINER if kind == "mp4" else FOR_EVER
+        self._container = av.open(part, "w", format=kind, container_options=dict(container))
+        stream: Any = self._container.add_stream(codec, rate=rate, options=dict(options))
+        self._stream = stream
+        self._stream.pix_fmt = pixels
+        if kind == "mp4":
             self._stream.thread_type = "AUTO"
+        if kind == "gif":
+            self._colours = GifColours(self.width, self.height, rate)
 
     def add(self, frame: NDArray[np.uint8]) -> None:
         """Appends one frame (height, width, 3), RGB, row 0 on top."""
@@ -71,13 +83,12 @@ class Film(Closing):
                 f"a frame of shape {frame.shape}, {frame.dtype}, does not fit the film "
                 f"{self.path}: ({self.height}, {self.width}, 3), uint8, is needed"
             )
-        picture: Any = av.VideoFrame.from_ndarray(frame, format="rgb24")
         with held():  # a part of it that is lost would spoil the frames after it
-            if self._graph:
-                picture.pts = self.frames
-                self._graph.push(picture)
-                picture = self._graph.pull()
-            self._write(picture)
+            if self._colours:
+                ready = self._colours.add(frame)
+            else:
+                ready = [av.VideoFrame.from_ndarray(frame, format="rgb24")]
+            self._encode(ready)
             self.frames += 1
 
     def close(self) -> None:
@@ -87,6 +98,7 @@ class Film(Closing):
         try:
             with held():
                 if self.frames:
+                    self._encode(self._colours.rest() if self._colours else [])
                     self._write(None)
                 with self._file.naming():
                     self._container.close()
@@ -95,6 +107,11 @@ class Film(Closing):
         finally:
             self._open = False
             self._file.discard()
+
+    def _encode(self, pictures: list[Any]) -> None:
+        for picture in pictures:
+            picture.pts, self._encoded = self._encoded, self._encoded + 1
+            self._write(picture)
 
     def _write(self, picture: Any) -> None:
         """Encodes a picture; None: the film's end. After an error there is no film."""
@@ -111,24 +128,10 @@ def check_film(path: Path, width: int, height: int, rate: int) -> None:
     """Raises InputError for a name, a size [px] or a rate [1/s] that no film can have."""
     kind = path.suffix.lower()
     if kind not in SUFFIXES:
-        raise InputError(f"a film's name ends with {' or '.join(SUFFIXES)}, got {path.name}")
+        known = f"{', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]}"
+        raise InputError(f"a film's name ends with {known}, got {path.name}")
     if width < 2 or height < 2 or width % 2 or height % 2:
         raise InputError(f"a film of {width} x {height} pixels: both numbers must be even, > 0")
     most = GIF_RATE if kind == ".gif" else FILM_RATE
     if not 1 <= rate <= most:
         raise InputError(f"`rate` must be 1 to {most} frames/s, got {rate}")
-
-
-def _palettes(width: int, height: int, rate: int) -> Graph:
-    """Gives every frame the 256 colours that suit it best."""
-    graph = Graph()
-    source = graph.add("buffer", f"width={width}:height={height}:pix_fmt=rgb24:time_base=1/{rate}")
-    split, chosen = graph.add("split"), graph.add("palettegen", "stats_mode=single")
-    used, sink = graph.add("paletteuse", "new=1:dither=bayer"), graph.add("buffersink")
-    source.link_to(split)
-    split.link_to(used, 0, 0)
-    split.link_to(chosen, 1, 0)
-    chosen.link_to(used, 0, 1)
-    used.link_to(sink)
-    graph.configure()
-    return graph

@@ -11,6 +11,7 @@ import numpy as np
 
 from kitemj.cockpit.parallel_painting import Shot
 from kitemj.cockpit.screens import FRAME_RATE
+from kitemj.drawing.history import History, Traces
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.recorded_traces import RecordedTraces
 from kitemj.dynamics.formulation import DEFAULT_STEP
@@ -50,6 +51,7 @@ class MotionSource:
         self._model, self._stick = flight.model, stick
         self._motions, self._references = flight.motions, references
         self._times = [motion.t for motion in flight.motions]
+        self._history, self._known = History(self.parameters), 0
         self.duration = self._times[-1]
 
     def shot(self, t: float, speed: float) -> Shot:
@@ -66,9 +68,19 @@ class MotionSource:
             stick=self._stick,
             speed=speed,
             message=departure.limit.sentence if departure else "",
+            traces=self._traces(row),
             touch=touch_at(self.parameters, motion, self._motions[row - 1] if row else None),
         )
         return Shot(motion, reference, readings)
+
+    def _traces(self, row: int) -> Traces:
+        """What a watcher of all motions up to `row` remembers there."""
+        if row + 1 < self._known:  # back in time
+            self._history, self._known = History(self.parameters), 0
+        for motion in self._motions[self._known : row + 1]:
+            self._history.add(motion.t, motion)
+        self._known = row + 1
+        return self._history.traces(self._motions[row].t)
 
     def _motion(self, motions: Sequence[Motion], row: int, t: float) -> Motion:
         """The motion at `t` [s], at or after that of `row`."""

@@ -42,8 +42,12 @@ class Summary:
             f"flown        {self.flown:.2f} s in {self.wall:.2f} s of wall time\n"
             f"ticks        {times.ticks} of {TICK * 1e3:g} ms, {times.missed} missed, "
             f"worst lateness {times.worst * 1e3:.1f} ms\n"
-            f"frames       {self.frames}, {self.frames / max(self.wall, 1e-9):.1f} a second, "
-            f"the first after {self.first_frame:.1f} s\n"
+        )
+        if self.frames:
+            rate = self.frames / max(self.wall, 1e-9)
+            first = f"the first after {self.first_frame:.1f} s"
+            text += f"frames       {self.frames}, {rate:.1f} a second, {first}\n"
+        text += (
             f"largest gap  {times.largest_gap * 1e6:.3g} µm between the kite and its reference\n"
             f"recording    {self.recording}"
         )
@@ -54,7 +58,7 @@ class Summary:
 
 def fly(
     physics: FlightProcess,
-    picture: Picture,
+    picture: Picture | None,
     screen: Screen,
     duration: float | None = None,
     called: float | None = None,
@@ -63,7 +67,7 @@ def fly(
     """Flies until the screen is left, a signal, or the time is over; returns what is to be told.
 
     physics: the flight in real time, not yet started
-    picture: paints the frames
+    picture: paints the frames; None: nothing is painted
     screen: shows them, and has the person's wishes; closed in the end
     duration: s of wall time; None: no end
     called: s by perf_counter, since when the first frame is waited for; None: now
@@ -75,7 +79,8 @@ def fly(
     ending, frames, first, clock = "left by the pilot", 0, 0.0, pygame.time.Clock()
     begun = time.perf_counter()
     try:
-        picture.paint(physics.result.motion, None, Readings(), screen.wishes.view)
+        if picture:
+            picture.paint(physics.result.motion, None, Readings(), screen.wishes.view)
         physics.start()
         begun = time.perf_counter()
         while not screen.wishes.leaving:
@@ -89,20 +94,21 @@ def fly(
             if isinstance(screen.stick, ProgrammedStick):
                 screen.wishes.ask(screen.stick.actions(painting - begun))
             physics.ask(screen.stick.command(physics.result.motion))
-            if "watch" in _grant(screen.wishes, physics, picture, course):
+            if "watch" in _grant(screen.wishes, physics, picture, course) and picture:
                 begun += _watch(physics, picture, screen)
             if course:
                 course.watch(physics.result.motion)
-            if screen.size and screen.size != (picture.width, picture.height):
-                picture.resize(*screen.size)
             moving = screen.wishes.pace > 0
             screen.sense(physics.parameters, physics.result.motion, physics.touch, moving)
-            result, readings = physics.result, _readings(physics, history, screen, course)
-            frame = picture.paint(result.motion, result.reference, readings, screen.wishes.view)
-            screen.show(frame, painting - begun)
-            frames += 1
-            history.add_frame(painting, time.perf_counter() - painting)
-            first = first or time.perf_counter() - called
+            if picture:
+                if screen.size and screen.size != (picture.width, picture.height):
+                    picture.resize(*screen.size)
+                result, readings = physics.result, _readings(physics, history, screen, course)
+                frame = picture.paint(result.motion, result.reference, readings, screen.wishes.view)
+                screen.show(frame, painting - begun)
+                frames += 1
+                history.add_frame(painting, time.perf_counter() - painting)
+                first = first or time.perf_counter() - called
             clock.tick(FRAME_RATE)
     except KeyboardInterrupt:
         ending = "interrupted"  # leaving in a hurry is leaving: film and summary are complete
@@ -117,7 +123,7 @@ def fly(
 
 
 def _grant(
-    wishes: Wishes, physics: FlightProcess, picture: Picture, course: Course | None
+    wishes: Wishes, physics: FlightProcess, picture: Picture | None, course: Course | None
 ) -> list[str]:
     """Does what the person asks for of time, picture and lessons; returns what else is wished."""
     deeds, turn, zoom = wishes.taken()
@@ -134,11 +140,12 @@ def _grant(
         elif course:
             course.begin_again()
             physics.ask(Deed.RESTART)
-    if turn != (0.0, 0.0):
-        picture.eye.turn(*turn)
-    if zoom != 1.0:
-        picture.eye.zoom(zoom)
-    picture.depth, picture.shown = wishes.depth, wishes.shown
+    if picture:
+        if turn != (0.0, 0.0):
+            picture.eye.turn(*turn)
+        if zoom != 1.0:
+            picture.eye.zoom(zoom)
+        picture.depth, picture.shown = wishes.depth, wishes.shown
     return others
 
 

@@ -36,15 +36,17 @@ DEFLECTION = 0.2
 
 
 class TimedScreen(Screen):
-    """A screen whose frames are timed: `times` [s], and peak `memory` [MB] at some of them.
+    """A screen whose frames are timed: when shown, `times` [s], and how long it took, `took` [s].
 
-    The memory is that of both processes.
+    Also peak `memory` [MB] at some of them, that of both processes.
     """
 
     def __init__(self, screen: Screen, stick: Stick, physics: FlightProcess) -> None:
         super().__init__(stick)
         self._screen, self._physics, self.wishes = screen, physics, screen.wishes
         self.times: list[float] = []
+        self.took: list[float] = []
+        self._begun = 0.0
         self.memory: list[tuple[float, float]] = []
 
     @property
@@ -53,7 +55,8 @@ class TimedScreen(Screen):
         return self._screen.message
 
     def poll(self) -> None:
-        """Takes in what the person did since."""
+        """Takes in what the person did since; a frame begins with that."""
+        self._begun = time.perf_counter()
         self._screen.poll()
 
     def sense(
@@ -66,6 +69,7 @@ class TimedScreen(Screen):
         """Shows the frame."""
         self._screen.show(frame, wall)
         self.times.append(time.perf_counter())
+        self.took.append(self.times[-1] - self._begun)
         if not self.memory or wall > self.memory[-1][0] + 1.0:
             self.memory.append((wall, peak_memory() + self._physics.memory))
 
@@ -77,6 +81,13 @@ class TimedScreen(Screen):
     def median_rate(self) -> float:
         """Frames a second, by the median time between two."""
         return 1.0 / statistics.median(np.diff(self.times).tolist() or [float("nan")])
+
+    @property
+    def slowest_rate(self) -> float:
+        """Frames in the second that had fewest, of all but the first and the last; NaN without."""
+        seconds = np.floor(np.array(self.times) - self.times[0]).astype(int)
+        counts = np.bincount(seconds)[:-1]  # the last is not whole
+        return float(counts[1:].min()) if len(counts) > 1 else float("nan")
 
     @property
     def growth(self) -> float:

@@ -19,7 +19,9 @@ from numpy.typing import NDArray
 
 from kitemj.child import Child
 from kitemj.closing import Closing
+from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.picture import Picture
+from kitemj.drawing.plates import paint_plate
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.text import put, width
 from kitemj.dynamics.motion import Motion
@@ -30,8 +32,6 @@ from kitemj.scene.views import Camera
 
 Frame = NDArray[np.uint8]
 MOST_WORKERS = 8
-SHADE = (70, 78, 90)  # what the ground of a caption multiplies the picture with
-FOOT = 124  # units above the lower edge: over the strip of instruments
 WORTH_IT = 150
 """Frames; for fewer the start of more processes (2 s) takes longer than painting them."""
 PATIENCE = 60
@@ -69,6 +69,9 @@ class Painter(Closing):
         self._pictures = [Picture(each, across, stage.size[1], "film") for each in stage.parameters]
         for picture in self._pictures:
             picture.depth = stage.instruments
+        instruments = Instruments(stage.parameters[0], across, stage.size[1])
+        below = instruments.box("arrows").bottom if stage.instruments == "engineer" else 0
+        self._below, self._unit = below, instruments.u
 
     def paint(self, shots: Sequence[Shot]) -> Frame:
         """The frame (height, width, 3) of a shot of each flight, side by side."""
@@ -80,7 +83,7 @@ class Painter(Closing):
         if len(parts) == 1:
             return parts[0]
         for part, caption in zip(parts, self._stage.captions, strict=True):
-            _write(part, caption)
+            _write(part, caption, self._below, self._unit)
             part[:, -1] = 255
         return np.concatenate(parts, axis=1)
 
@@ -178,14 +181,13 @@ def _paint(link: Connection, stage: Stage) -> None:
             link.send(error)
 
 
-def _write(frame: Frame, caption: str) -> None:
-    """Writes a caption on the right above the strip, in each of two pictures."""
+def _write(frame: Frame, caption: str, below: int, unit: float) -> None:
+    """Writes a caption at the left edge of a picture, `below` [px] its upper edge."""
     height, wide = frame.shape[:2]
-    unit = min(height / 720, wide / 1280)
-    size, room = height / 45, 0.48 * wide
-    size *= min(1.0, 0.92 * room / width(caption, size))
+    size = 18 * unit + 3
+    size *= min(1.0, 0.42 * wide / width(caption, size))
+    gap = round(12 * unit)
+    plate = pygame.Rect(gap, below + gap, width(caption, size) + 2 * size, 2.4 * size)
     surface = pygame.image.frombuffer(frame.data, (wide, height), "RGB")
-    top = height - FOOT * unit - height / 18
-    band = (round(wide - room), round(top), round(room), round(height / 18))
-    surface.fill(SHADE, band, special_flags=pygame.BLEND_MULT)
-    put(surface, caption, wide - room / 2, top + height / 36, size, align=0.5)
+    paint_plate(surface, plate, unit)
+    put(surface, caption, plate.centerx, plate.centery, size, align=0.5)

@@ -1,15 +1,13 @@
-"""Where frames go: a window, or a film when there is no display."""
+"""Where frames go, and what the person there wants: a window, or nobody."""
 
 import os
 import time
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from kitemj.cockpit.film import Film
 from kitemj.cockpit.senses import Senses
 from kitemj.controls.actions import Wishes
 from kitemj.controls.keys import KEYS
@@ -250,22 +248,3 @@ class Window(Screen):
         """Lets go of the pads, and is silent; the window stays, for whoever comes next."""
         self._senses.close()
         self._person.close()
-
-
-class FilmScreen(Screen):
-    """A film in real time: a frame that came late stands as long as it was the newest."""
-
-    def __init__(
-        self, path: Path, width: int, height: int, stick: Stick, overwrite: bool = False
-    ) -> None:
-        super().__init__(stick)
-        self._film = Film(path, width, height, FRAME_RATE, overwrite)
-
-    def show(self, frame: Frame, wall: float) -> None:
-        """Adds the frame for as many film frames as have passed."""
-        while self._film.frames < wall * FRAME_RATE + 1:
-            self._film.add(frame)
-
-    def close(self) -> None:
-        """Completes the film."""
-        self._film.close()

@@ -80,14 +80,22 @@ def add_step(parser: Parser) -> None:
 
 def add_pilot(parser: Parser) -> None:
     """``--pilot``."""
-    says = "has the stick: hold, loop, eight, land, or one of your own as FILE.py:NAME"
+    says = "has the stick: hold, loop, eight, land, show, or one of your own as FILE.py:NAME"
     parser.add_argument("--pilot", metavar="WHO", help=says)
 
 
-def add_picture(parser: Parser) -> None:
-    """``--view`` and ``--size``."""
+def add_picture(parser: Parser, usual: str = "") -> None:
+    """``--view`` and ``--size``; `usual`: the sizes of films, which depend on their kind."""
     parser.add_argument("--view", choices=VIEWS, default=VIEWS[0], help="where from")
-    parser.add_argument("--size", default="1280x720", metavar="WxH", help="default 1280x720")
+    default = None if usual else "1280x720"
+    says = f"default {usual or default}"
+    parser.add_argument("--size", default=default, metavar="WxH", help=says)
+
+
+def add_quality(parser: Parser) -> None:
+    """``--quality``."""
+    says = "of the picture; auto: what this machine paints at 30 frames/s"
+    parser.add_argument("--quality", choices=QUALITY_NAMES, default="auto", help=says)
 
 
 def size(text: str) -> tuple[int, int]:

@@ -3,17 +3,16 @@
 import argparse
 from contextlib import nullcontext
 from dataclasses import replace
-from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kitemj.commands.arguments import (
     MODELS,
-    QUALITY_NAMES,
     SCENARIO,
     Parser,
     add_picture,
     add_pilot,
+    add_quality,
     add_step,
     size,
 )
@@ -21,11 +20,13 @@ from kitemj.errors import NOT_WRITTEN, FlightError, InputError
 
 if TYPE_CHECKING:
     from kitemj.child import Child
+    from kitemj.cockpit.fly import Summary
     from kitemj.cockpit.home import Kept
     from kitemj.cockpit.screens import Window
     from kitemj.controls.stick import Stick
     from kitemj.flight.scenario import Scenario
     from kitemj.pilots.course import Course
+    from kitemj.realtime.process import FlightProcess
     from kitemj.recording.live import FlightSetup
 
 HELP = "fly in real time with a gamepad, the keys or the mouse; with no display, film a show"
@@ -57,15 +58,16 @@ def add(parser: Parser) -> None:
     parser.add_argument("--no-lessons", action="store_true", help="none")
     parser.add_argument("--no-title", action="store_true", help="fly at once, from no title page")
     parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
-    parser.add_argument("--headless", action="store_true", help="film a show, open no window")
-    parser.add_argument("--film", type=Path, metavar="FILE.mp4", help="name of that film")
+    says = "open no window: fly a show and film it"
+    parser.add_argument("--headless", action="store_true", help=says)
+    says = "film the flight when it is over"
+    parser.add_argument("--film", type=Path, metavar="FILE.mp4", help=says)
     parser.add_argument("--record", type=Path, metavar="FILE", help="name of the recording")
     parser.add_argument("--overwrite", action="store_true", help="replace these if they exist")
     parser.add_argument("--no-record", action="store_true", help="leave no recording")
     parser.add_argument("--model", default="mujoco", help=f"one of {', '.join(MODELS)}")
     add_picture(parser)
-    says = "of the picture; auto: what this machine paints at 30 frames/s"
-    parser.add_argument("--quality", choices=QUALITY_NAMES, default="auto", help=says)
+    add_quality(parser)
     add_step(parser)
 
 
@@ -135,57 +137,108 @@ def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None
 
     `launched`: the flight's process; `kept`: what is there before and after this flight.
     """
-    from kitemj.cockpit.fly import fly
-    from kitemj.cockpit.screens import FilmScreen, Screen, display_found, fitting
-    from kitemj.controls.stick import show_of
-    from kitemj.drawing.picture import Picture
-    from kitemj.files import check_new
+    import pygame
+
+    from kitemj.cockpit.filming import FilmStyle, check_output
+    from kitemj.cockpit.flight_film import film_of_flight, recorded
+    from kitemj.cockpit.screens import display_found
     from kitemj.pilots.progress import write_progress
     from kitemj.realtime.process import FlightProcess
+    from kitemj.recording.recorder import timestamped_name
 
-    pixels, setup = size(args.size), _setup(args)
+    setup, style = _setup(args), FilmStyle(size(args.size), args.view)
     if args.duration is not None and not args.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {args.duration} s")
-    parameters, programme = setup.scenario.parameters, _programme(args, setup.scenario)
-    path, duration = None, args.duration
-    if args.headless or not display_found():
-        path = args.film or Path(f"kitemj-{datetime.now():%Y%m%d-%H%M%S}.mp4")
-        check_new(path, args.overwrite)
-        duration = duration or SHOW_DURATION
-        why = "as asked, no window" if args.headless else "there is no display"
-        print(f"{why}: a programme flies {duration:g} s in real time into {path}")
-    else:
-        pixels = fitting(pixels)
-    course = None if path else _course(args)
+    programme, window = _programme(args, setup.scenario), not args.headless and display_found()
+    film, stays = args.film, setup.record is not None
+    if not window:
+        unnamed = timestamped_name() if args.record else setup.record or timestamped_name()
+        film = film or unnamed.with_suffix(".mp4")
+        style = style._replace(title=_title(setup.scenario))
+    if film:
+        check_output(film, style, still=False, overwrite=args.overwrite)
+    course = _course(args) if window else None
     if course:  # its own start is the second one
         setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
-    physics = FlightProcess(setup, launched)
-    own = nullcontext(kept.picture) if kept else Picture(parameters, *pixels, args.quality)
+    with recorded(setup) if film else nullcontext(setup) as setup:
+        physics = FlightProcess(setup, launched)
+        try:
+            if window:
+                summary = _fly_in_window(args, setup.scenario, physics, programme, course, kept)
+            else:
+                summary = _fly_unseen(args, setup.scenario, physics, programme, film)
+            print(summary if stays else replace(summary, recording="none"))
+        except (FlightError, OSError):  # why it ended is told last
+            print(f"recording    {physics.recording if stays else 'none'}")
+            raise
+        finally:
+            if course:
+                print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
+            if film and setup.record and physics.started:
+                pygame.display.quit()  # nobody would answer in that window
+                told = film_of_flight(setup.record, film, style, args.overwrite, stays)
+                print(f"film         {told}")
+    return NOT_WRITTEN if physics.cut else 0
+
+
+def _fly_in_window(
+    args: argparse.Namespace,
+    scenario: "Scenario",
+    physics: "FlightProcess",
+    programme: "Stick | None",
+    course: "Course | None",
+    kept: "Kept | None",
+) -> "Summary":
+    """The flight of a person, or of a programme for a person to see."""
+    from kitemj.cockpit.fly import fly
+    from kitemj.cockpit.screens import fitting
+    from kitemj.drawing.picture import Picture
+
+    pixels = fitting(size(args.size))
+    own = nullcontext(kept.picture) if kept else Picture(scenario.parameters, *pixels, args.quality)
     with own as picture:
         physics.wait()
-        screen: Screen
-        if path:
-            stick = programme or show_of(parameters)
-            screen = FilmScreen(path, *pixels, stick, args.overwrite)
-        else:
-            screen = _window(setup.scenario, pixels, programme)
+        screen = _window(scenario, pixels, programme)
         screen.wishes.view = args.view
         if kept:
             screen.wishes.sound = kept.sound
         try:
             called = None if kept else args.called
-            print(fly(physics, picture, screen, duration, called, course))
-        except (FlightError, OSError):  # why it ended is told last
-            print(f"recording    {physics.recording}")
-            raise
+            return fly(physics, picture, screen, args.duration, called, course)
         finally:
             if kept:
                 kept.note(screen)
-            if course:
-                print(write_progress(course.passed) or f"lessons      {len(course.passed)} passed")
-            if path and path.exists():
-                print(f"film         {path}")
-    return NOT_WRITTEN if physics.cut else 0
+
+
+def _fly_unseen(
+    args: argparse.Namespace,
+    scenario: "Scenario",
+    physics: "FlightProcess",
+    programme: "Stick | None",
+    film: Path,
+) -> "Summary":
+    """The flight of a programme, during which nothing is painted, so that nothing is late."""
+    from kitemj.cockpit.fly import fly
+    from kitemj.cockpit.screens import FRAME_RATE, Screen
+    from kitemj.controls.stick import show_of
+    from kitemj.scene.gl import open_graphics
+
+    open_graphics(16, 16).context.free()  # what cannot be painted is told before it is flown
+    stick, duration = programme or show_of(scenario.parameters), args.duration or SHOW_DURATION
+    why = "as asked, no window" if args.headless else "there is no display"
+    print(
+        f"{why}: a {stick.name} flies {duration:g} s in real time; "
+        f"then some {duration * FRAME_RATE:.0f} frames are painted into {film}"
+    )
+    physics.wait()
+    return fly(physics, None, Screen(stick), duration, args.called)
+
+
+def _title(scenario: "Scenario") -> str:
+    """What a film is of, for those who did not see the flight."""
+    parameters = scenario.parameters
+    span, length = parameters.kite.span, parameters.lines.length
+    return f"A {span:g} m kite on {length:g} m lines, {parameters.wind.speed:g} m/s of wind"
 
 
 def _setup(args: argparse.Namespace) -> "FlightSetup":

@@ -1,9 +1,11 @@
 """`kitemj realtime`: how well this machine flies in real time."""
 
 import argparse
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kitemj.commands.arguments import Parser, add_picture, add_step, size
+from kitemj.commands.arguments import Parser, add_picture, add_quality, add_step, size
+from kitemj.controls.actions import DEPTHS
 from kitemj.errors import InputError
 
 if TYPE_CHECKING:
@@ -25,6 +27,12 @@ def add(parser: Parser) -> None:
     parser.add_argument("--kite", default="sport", metavar="SET", help="a set: sport, trainer, ...")
     parser.add_argument("--duration", type=float, default=60.0, metavar="S", help="of the flight")
     parser.add_argument("--headless", action="store_true", help="paint, but open no window")
+    parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="also write the tables")
+    says = "replace FILE.md if it exists"
+    parser.add_argument("--overwrite", action="store_true", help=says)
+    says = "how much is shown over the view, default pilot"
+    parser.add_argument("--instruments", choices=DEPTHS, default=DEPTHS[0], help=says)
+    add_quality(parser)
     add_picture(parser)
     add_step(parser)
 
@@ -39,14 +47,17 @@ def run(args: argparse.Namespace) -> None:
     from kitemj.cockpit.screens import display_found
     from kitemj.controls.stick import show_of
     from kitemj.drawing.picture import Picture
+    from kitemj.files import check_new, new_file
     from kitemj.flight.scenario import scenario_of
     from kitemj.realtime.process import FlightProcess
     from kitemj.recording.live import FlightSetup
-    from kitemj.tables import print_table
+    from kitemj.tables import markdown, print_table
     from kitemj.temporary import temporary_folder
 
     if not args.duration > 0:
         raise InputError(f"--duration must be > 0 s, got {args.duration} s")
+    if args.markdown:
+        check_new(args.markdown, args.overwrite)
     pixels = size(args.size)
     scenario = scenario_of({"set": args.kite, "duration": 60.0}, f"the kite {args.kite}")
     window = not args.headless and display_found()
@@ -54,15 +65,22 @@ def run(args: argparse.Namespace) -> None:
     setup, stick = FlightSetup(scenario, "mujoco", "lagrange", args.step), show_of(parameters)
     with temporary_folder() as folder:
         physics = FlightProcess(setup._replace(record=folder / "flight.arrows"), launched)
-        with Picture(parameters, *pixels) as picture:
+        with Picture(parameters, *pixels, args.quality) as picture:
             physics.wait()
             timed = TimedScreen(_screen(args, parameters, window), stick, physics)
             flown = fly(physics, picture, timed, args.duration, args.called)
+            quality = picture.quality
             screen = _screen(args, parameters, window and display_found())
             steps = stick_steps(setup, picture, screen, STICK_DURATION)
     where = "in a window" if window else "painted, and shown to nobody"
-    print_table(_flight_table(flown, timed, f"{args.size}, {where}, everything shown, recorded"))
-    print_table(_stick_table(steps))
+    how = f"{args.size}, {where}, view and instruments {args.view} and {args.instruments}, recorded"
+    tables = [_flight_table(flown, timed, how, quality), _stick_table(steps)]
+    for table in tables:
+        print_table(table)
+    if args.markdown:
+        text = "\n".join(f"{table.title}\n\n{markdown(table)}" for table in tables)
+        with new_file(args.markdown, args.overwrite) as part:
+            part.write_text(text, encoding="utf-8")
 
 
 def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
@@ -75,11 +93,13 @@ def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) ->
     if window:
         person = PersonStick(Settings(), parameters)
         screen = Window(*size(args.size), "kitemj realtime", person)
-    screen.wishes.view = args.view
+    screen.wishes.view, screen.wishes.depth = args.view, args.instruments
     return screen
 
 
-def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
+def _flight_table(flown: "Summary", timed: "TimedScreen", how: str, quality: str) -> "Table":
+    from statistics import median
+
     from kitemj.tables import Cell, Table
 
     times = flown.times
@@ -90,6 +110,9 @@ def _flight_table(flown: "Summary", timed: "TimedScreen", how: str) -> "Table":
         ("worst lateness [ms]", 1e3 * times.worst),
         ("wall time not flown [s]", times.lost),
         ("frames a second, median", timed.median_rate),
+        ("frames a second, in the slowest second", timed.slowest_rate),
+        ("a frame took, median [ms]", 1e3 * median(timed.took)),
+        ("quality of the picture", quality),
         ("first frame [s]", flown.first_frame),
         ("memory gained after 10 s, both processes [MB]", timed.growth),
         ("largest gap to the reference [µm]", 1e6 * times.largest_gap),

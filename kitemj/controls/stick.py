@@ -13,7 +13,8 @@ from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
-from kitemj.pilots.manoeuvres import Eight, Pilot
+from kitemj.pilots.manoeuvres import Pilot
+from kitemj.pilots.show import Show
 
 ASKS = ("an angle δ, to which the hands go", "a rate of δ", "an acceleration of δ")
 """What each law means, in words."""
@@ -43,12 +44,11 @@ class PilotStick:
 
 
 def show_of(parameters: Parameters) -> Stick:
-    """A pilot of figures of eight for a kite that turns, else a programmed stick.
+    """The pilot of a show for a kite that turns, else a programmed stick.
 
-    A kite turns where its nose follows its motion: C_nβ > 0.
+    A kite turns to the hand that pulls unless its set says that it drifts away from it.
     """
-    turns = getattr(parameters.aero, "Cn_beta", 0.0) > 0
-    return PilotStick(Eight()) if turns else show(parameters)
+    return show(parameters) if parameters.stick.mirrored else PilotStick(Show())
 
 
 class PersonStick:

@@ -59,6 +59,7 @@ class Picture(Closing):
         """
         _check(width, height)
         self._chooser = QualityChooser(FRAME_RATE) if quality == "auto" else None
+        self._quality = quality
         self.parameters, self.width, self.height = parameters, width, height
         self.depth, self.shown, self.whole_trail = DEPTHS[0], set(INSTRUMENTS), False
         self.eye = Eye(parameters)
@@ -75,6 +76,11 @@ class Picture(Closing):
         self.width, self.height, self._camera = width, height, None
         self._renderer.resize(width, height)
         self._instruments = Instruments(self.parameters, width, height)
+
+    @property
+    def quality(self) -> str:
+        """The name of the quality of the next frame."""
+        return self._chooser.name if self._chooser else self._quality
 
     def paint(
         self,

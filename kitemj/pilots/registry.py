@@ -17,6 +17,7 @@ PILOTS: Registry[Callable[[], Pilot]] = Registry(
         "loop": "kitemj.pilots.manoeuvres:Loop",
         "eight": "kitemj.pilots.manoeuvres:Eight",
         "land": "kitemj.pilots.manoeuvres:Land",
+        "show": "kitemj.pilots.show:Show",
     },
 )
 """Each makes a pilot when called without arguments."""

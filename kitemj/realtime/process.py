@@ -37,9 +37,10 @@ class FlightProcess:
     """The flight of `setup`; launched at once, so that it loads meanwhile.
 
     `update` brings `result`, `times`, `touch`, `problem` and `memory` up to date (they are as in
-    `TickNews`); `command` is the last that was asked for, `record` where it is recorded, if it
-    is, `recording` what became of that, and `cut` whether the disk did not take all of it. What
-    is raised there is raised here: InputError, FlightError; and so is its silence.
+    `TickNews`); `command` is the last that was asked for, `started` whether time ever began,
+    `record` where it is recorded, if it is, `recording` what became of that, and `cut` whether the
+    disk did not take all of it. What is raised there is raised here: InputError, FlightError; and
+    so is its silence.
     """
 
     def __init__(self, setup: FlightSetup, launched: Child | None = None) -> None:
@@ -49,7 +50,7 @@ class FlightProcess:
         self.touch: Touch | None = None
         self.problem, self.memory = "", 0.0
         self.result: TickResult
-        self.recording, self.cut = "none", False
+        self.recording, self.cut, self.started = "none", False, False
         self._ready, self._ended = False, False
         self.command, self._asked = Command(), dict[type, Wish]()
         self._heard: list[TickNews] = []
@@ -69,6 +70,7 @@ class FlightProcess:
 
     def start(self) -> None:
         """Time begins."""
+        self.started = True
         self.ask(Begin())
 
     def update(self) -> list[TickNews]:

@@ -60,7 +60,12 @@ class QualityChooser:
     @property
     def quality(self) -> Quality:
         """The quality of the next frame."""
-        return QUALITIES[self._names[self._level]]
+        return QUALITIES[self.name]
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._names[self._level]
 
     def painted(self, seconds: float) -> None:
         """Takes in how long a frame took to paint [s]."""

@@ -10,7 +10,7 @@ from kitemj.closing import Closing
 from kitemj.dynamics.motion import Motion
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.gl import open_graphics, smooth_sky
+from kitemj.scene.gl import open_graphics
 from kitemj.scene.quality import FILM, HIGH, Quality
 from kitemj.scene.scene import Scene
 from kitemj.scene.views import Camera
@@ -31,11 +31,11 @@ class Renderer(Closing):
         self._graphics = open_graphics(width, height)
         if not self._graphics.software:
             quality = quality._replace(samples=FILM.samples)  # it costs nothing there
+        self._sampled = quality.samples > 0
         self.scene = Scene(parameters, width, height, quality)
         with self._graphics.context.as_current():
             font = mujoco.mjtFontScale.mjFONTSCALE_100
             self._context: Any = mujoco.MjrContext(self.scene.model, font)
-            smooth_sky(int(self._context.texture[self.scene.model.texture("sky").id]))
             mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._context)
         self._pixels = np.empty((height, width, 3), np.uint8)
 
@@ -71,6 +71,8 @@ class Renderer(Closing):
         with self._graphics.context.as_current():
             mujoco.mjr_readPixels(pixels, None, mujoco.MjrRect(0, 0, wide, tall), self._context)
         upright = np.ascontiguousarray(pixels[::-1])
+        if self._sampled:  # there Mesa's software leaves these black
+            upright[:, 0], upright[-1] = upright[:, 1], upright[-2]
         if (wide, tall) == (self.width, self.height):
             return upright
         frame = np.empty((self.height, self.width, 3), np.uint8)

@@ -10,7 +10,9 @@ import av
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PIL import Image
 
+from kitemj.cockpit import gif_colours
 from kitemj.cockpit.film import Film
 from kitemj.errors import InputError
 from kitemj.signals import orderly
@@ -44,6 +46,58 @@ def test_every_frame_comes_back_in_its_order_and_colour(tmp_path: Path) -> None:
     for picture, level in zip(pictures, levels, strict=True):
         # 12 of 255: what the coarser colours of yuv420p and the compression may change
         assert np.abs(picture.mean(axis=(0, 1)) - (level, 128, 255 - level)).max() < 12
+
+
+@pytest.mark.parametrize(("kind", "rate"), [("webp", 25), ("gif", 20)])
+def test_a_film_for_pages_has_all_frames_in_their_colours_and_begins_anew(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, kind: str, rate: int
+) -> None:
+    monkeypatch.setattr(gif_colours, "RUN", 4)
+    levels = range(20, 220, 20)
+    with Film(tmp_path / f"kite.{kind}", WIDTH, HEIGHT, rate) as film:
+        for level in levels:
+            film.add(frame(level))
+    shown: Any
+    with Image.open(tmp_path / f"kite.{kind}") as shown:
+        assert (shown.n_frames, shown.size) == (len(levels), (WIDTH, HEIGHT))
+        assert shown.info["loop"] == 0  # for ever
+        for number, level in enumerate(levels):
+            shown.seek(number)
+            shown.load()
+            assert shown.info["duration"] == 1000 // rate
+            # 12 of 255: what compression, and the colours of yuv420p or a palette, may change
+            picture = np.asarray(shown.convert("RGB"), float)
+            assert np.abs(picture.mean(axis=(0, 1)) - (level, 128, 255 - level)).max() < 12
+
+
+def test_a_gif_holds_no_more_than_a_run_of_frames(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gif_colours, "RUN", 4)
+    colours = gif_colours.GifColours(WIDTH, HEIGHT, 10)
+    done = [len(colours.add(frame(20 * number))) for number in range(10)]
+    assert done == [0, 0, 0, 4, 0, 0, 0, 4, 0, 0]
+    assert len(colours.rest()) == 2
+    assert colours.rest() == []
+
+
+def test_a_thin_red_line_in_a_wide_sky_is_red_in_a_gif(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Few colours for a sky of many, in which the line has one pixel of two thousand."""
+    monkeypatch.setattr(gif_colours, "COLOURS", 16)
+    dice, height, width = np.random.default_rng(1), 120, 160
+    with Film(tmp_path / "kite.gif", width, height, 10) as film:
+        for _ in range(10):
+            cloud = dice.uniform(0.0, 1.0, (height, width, 1))
+            sky = cloud * (255, 255, 255) + (1 - cloud) * (20, 60, 150)
+            sky[40:50, 80] = (200, 20, 30)
+            film.add(sky.astype(np.uint8))
+    shown: Any
+    with Image.open(tmp_path / "kite.gif") as shown:
+        shown.seek(5)
+        red, green, blue = np.asarray(shown.convert("RGB"), float)[40:50, 80].mean(axis=0)
+    # 40 of 255: an eye still calls that red the same
+    assert abs(red - 200) < 40
+    assert max(green - 20, blue - 30) < 40
 
 
 def test_the_index_lies_in_front(tmp_path: Path) -> None:

@@ -1,20 +1,18 @@
 """The real loop, flown by a virtual gamepad in a window that nobody sees."""
 
-import av
 import pygame
 import pytest
 
 from kitemj.cockpit.fly import _grant, fly
 from kitemj.cockpit.screens import (
     AROUND,
-    FilmScreen,
     RestingSize,
     Window,
     display_found,
     fitting,
     shaped,
 )
-from kitemj.controls.programmed import ProgrammedStick, Row, show
+from kitemj.controls.programmed import ProgrammedStick, Row
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
 from kitemj.drawing.picture import Picture
@@ -120,20 +118,6 @@ def test_escape_leaves_and_the_summary_adds_up(window, picture):
     assert abs(summary.flown + summary.times.lost - summary.wall) < 0.3
     assert summary.frames >= 1
     assert "missed" in str(summary)
-
-
-def test_interrupt_leaves_a_complete_film(tmp_path, picture):
-    class Impatient(FilmScreen):
-        def poll(self):
-            if self._film.frames >= 10:
-                raise KeyboardInterrupt
-
-    path = tmp_path / "kite.mp4"
-    screen = Impatient(path, *SIZE, show(SCENARIO.parameters))
-    summary = fly(Flown(), picture, screen, duration=20.0)
-    assert summary.flown > 0
-    with av.open(str(path)) as film:
-        assert sum(1 for _ in film.decode(video=0)) >= 10
 
 
 def press(key):

@@ -9,6 +9,7 @@ from kitemj.cockpit.measuring import (
     Step,
     SteppingStick,
     StickTimingProcess,
+    TimedScreen,
 )
 from kitemj.cockpit.screens import Screen
 from kitemj.drawing.instruments import Instruments
@@ -50,6 +51,15 @@ def test_a_move_of_the_stick_is_seen_in_the_frame_that_shows_it(size):
     step = stick.steps[0]
     assert step.seen
     assert step.frames == 4
+
+
+def test_one_slow_second_is_not_hidden_by_the_others():
+    stick = SteppingStick()
+    screen = TimedScreen(Screen(stick), stick, Mute())
+    seconds = (10, 30, 12, 30, 7)  # frames in each: loading, flying, slow, flying, cut off
+    screen.times = [100.0 + k + i / n for k, n in enumerate(seconds) for i in range(n)]
+    assert screen.slowest_rate == 12
+    assert screen.median_rate == pytest.approx(30)
 
 
 def news(begun, delta):

@@ -2,6 +2,7 @@
 
 from contextlib import nullcontext
 from dataclasses import replace
+from math import atan2, degrees
 from pathlib import Path
 
 import av
@@ -11,8 +12,9 @@ import pytest
 
 import kitemj
 from kitemj.cli import main
-from kitemj.cockpit import film_sources, filming
+from kitemj.cockpit import film_sources, film_title, filming
 from kitemj.cockpit.film_sources import RecordingSource
+from kitemj.cockpit.film_title import with_title
 from kitemj.cockpit.filming import FilmStyle, film
 from kitemj.cockpit.parallel_painting import Stage, painted
 from kitemj.cockpit.replay_player import SPEEDS, Player
@@ -27,11 +29,22 @@ from kitemj.pilots.manoeuvres import Land
 from kitemj.recording.file import read_recording
 from kitemj.recording.replay import replay
 from kitemj.recording.track import Track
+from kitemj.scene.eye import Eye
 from tests.recording.flights import LOOPS, live_flight, recorded, restless
 
 SMALL = (320, 180)
 SIZE = f"{SMALL[0]}x{SMALL[1]}"
 ROWS = range(0, 301, 10)
+WCAG = 4.5
+
+
+def luminance(rgb):
+    """Relative luminance of sRGB (..., 3) by WCAG 2.1."""
+    c = rgb / 255
+    linear = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
+    return linear @ [0.2126, 0.7152, 0.0722]
+
+
 ANSWER = 0.25
 """s; a slider that is felt to answer at once takes 0.1 s, measured: 0.06 s at 1280 x 720."""
 
@@ -53,11 +66,16 @@ class Reel(nullcontext):
 
     def __init__(self):
         super().__init__()
-        self.motions = []
+        self.motions, self.cameras, self.written = [], [], []
 
     def take(self, stage, shots, workers):
-        self.motions.extend(shot.motion for (shot,) in shots)
+        for (shot,) in shots:
+            self.motions.append(shot.motion)
+            self.cameras.append(shot.camera)
         return (frame for frame in ())
+
+    def add(self, frame):
+        self.written.append(frame)
 
     def __call__(self, *words):
         return self
@@ -103,14 +121,73 @@ def test_a_gif_by_its_name(file, tmp_path):
     assert len(frames_of(tmp_path / "a.gif")) == 6
 
 
+@pytest.mark.parametrize("turn", [30.0, -90.0])
+def test_the_eye_of_an_orbit_goes_round_to_the_right_by_so_many_degrees(
+    file, monkeypatch, tmp_path, turn
+):
+    reel = Reel()
+    monkeypatch.setattr(filming, "painted", reel.take)
+    monkeypatch.setattr(filming, "Film", reel)
+    words = ["--view", "orbit", "--turn", str(turn), "--rate", "10", "--to", "1"]
+    assert main(["film", str(file), *words, "--output", str(tmp_path / "a.mp4")]) == 0
+    assert len(reel.cameras) == 11
+    # it looks along the wind, which blows along -x, and from the right, which is -y, to the left
+    azimuths = [degrees(atan2(c.forward.y, -c.forward.x)) for c in reel.cameras]
+    assert np.diff(np.unwrap(azimuths, period=360)) == pytest.approx(turn / 10, abs=ASIDE)
+    right = reel.cameras[1].position.y < reel.cameras[0].position.y
+    assert right == (turn > 0)
+
+
+ASIDE = 0.01
+"""deg; what is left of a direction when the eye looks at a kite that moved."""
+
+
+def test_a_simulated_flight_has_the_trail_of_what_was_shown_before():
+    source = film_sources.film_source({"set": "sport", "duration": 1.0}, interval=0.1)
+    trails = [source.shot(t, 1.0).readings.traces.trail for t in (0.5, 1.0, 0.2)]
+    assert [len(trail) for trail in trails] == [6, 11, 3], "back in time too"
+    assert (trails[2] == trails[1][:3]).all()
+
+
+def test_a_title_comes_and_goes_in_the_first_three_seconds(file, monkeypatch, tmp_path):
+    reel, grey = Reel(), np.full((180, 320, 3), 120, np.uint8)
+    monkeypatch.setattr(filming, "painted", lambda stage, shots, w: (grey for shot in shots))
+    monkeypatch.setattr(filming, "Film", reel)
+    words = ["--title", "Figures of eight", "--rate", "10", "--output", str(tmp_path / "a.mp4")]
+    assert main(["film", str(file), *words, "--to", "4"]) == 0
+    written = [(frame != grey).any(axis=(1, 2)) for frame in reel.written]
+    assert len(written) == 41
+    assert not written[0].any(), "it fades in"
+    assert all(rows.any() for rows in written[1:30])
+    assert not any(rows.any() for rows in written[30:])
+    half, whole = (reel.written[i].max() for i in (2, 15))
+    assert 120 < half < whole == 255, "white letters"
+    assert not any(rows[:60].any() for rows in written), "nothing over the kite in the sky"
+
+
+@pytest.mark.parametrize("size", [(640, 360), (1280, 720), (960, 960)])
+def test_a_title_is_read_over_the_whitest_cloud(monkeypatch, size):
+    """WCAG 2.1: 4.5 to 1, at every pixel of the text's lines."""
+    lines = []
+    monkeypatch.setattr(film_title, "put", lambda *given: lines.append(given[1:5]))
+    cloud = np.full((size[1], size[0], 3), 255, np.uint8)
+    shaded = with_title(cloud, "A title that is longer than one line, and still to be read at once")
+    assert len(lines) == 2
+    for text, x, y, height in lines:
+        rows = slice(int(y - 0.7 * height), int(y + 0.9 * height))
+        behind = shaded[rows, int(x) : int(x) + width(text, height)]
+        assert behind.shape[1] > 50
+        assert 1.05 / (luminance(behind).max() + 0.05) > WCAG
+
+
 def test_a_still_is_the_frame_of_that_moment(file, tmp_path):
     words = ["film", str(file), "--size", SIZE, "--still", "2.2"]
     assert main([*words, "--output", str(tmp_path / "a.png")]) == 0
     image = pygame.image.load(str(tmp_path / "a.png"))
     assert image.get_size() == SMALL
     source = RecordingSource(read_recording(file))
-    with Picture(source.parameters, *SMALL) as picture:
-        frame = picture.paint(*source.shot(2.2, 1.0)[:3], "chase")
+    with Picture(source.parameters, *SMALL, "film") as picture:
+        frame = picture.paint(*source.shot(2.2, 1.0)[:3])
     np.testing.assert_array_equal(pygame.surfarray.array3d(image).swapaxes(0, 1), frame)
 
 
@@ -146,7 +223,8 @@ def test_two_models_of_one_scenario(tmp_path):
 def test_frames_of_two_processes_are_those_of_one(file):
     source = RecordingSource(read_recording(file))
     stage = Stage((source.parameters,), ("",), SMALL, "pilot", "engineer")
-    shots = [[source.shot(0.3 * i, 1.0)] for i in range(12)]
+    eye, style = Eye(source.parameters), FilmStyle(view="pilot")
+    shots = [[filming._seen(source.shot(0.3 * i, 1.0), eye, style)] for i in range(12)]
     alone = [frame.copy() for frame in painted(stage, shots, 1)]
     together = [frame.copy() for frame in painted(stage, shots, 2)]
     np.testing.assert_array_equal(alone, together)
@@ -169,13 +247,15 @@ def test_ctrl_c_leaves_a_complete_film(file, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("words", "reason"),
     [
-        (["--output", "a.avi"], "ends with .mp4 or .gif"),
-        (["--output", "a.png"], "ends with .mp4 or .gif"),
+        (["--output", "a.avi"], "ends with .mp4, .webp or .gif"),
+        (["--output", "a.png"], "ends with .mp4, .webp or .gif"),
         (["--output", "a.mp4", "--still", "1"], "ends with .png"),
         (["--output", "a.png", "--still", "99"], "--still must be"),
         (["--output", "a.mp4", "--from", "99"], "--from must be"),
         (["--output", "a.mp4", "--speed", "0"], "--speed must be"),
         (["--output", "a.gif", "--rate", "60"], "1 to 50"),
+        (["--output", "a.mp4", "--turn", "9"], "--turn is for the --view orbit"),
+        (["--output", "a.mp4", "--view", "orbit", "--turn", "-999"], "--turn must be within 360"),
         (["--output", "a.mp4", "--size", "321x181"], "must be even"),
         (["--output", "a.mp4", "--model", "laksa"], "there is no model"),
     ],
