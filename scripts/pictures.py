@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from kitemj.cockpit.fly import fly
 from kitemj.cockpit.screens import FRAME_RATE, Screen
+from kitemj.commands.fly import LEARNT_ON
 from kitemj.controls.actions import HELP, VIEWS
 from kitemj.controls.stick import Stick, show_of
 from kitemj.drawing.history import History, Traces
@@ -127,7 +128,7 @@ def alarm(folder: Path) -> None:
 
 def first_flight(folder: Path) -> None:
     """The first lesson, and what comes of a stick that is held to the left."""
-    scenario = scenario_of({"set": "sport", "duration": 60.0}, "first flight")
+    scenario = scenario_of({"set": LEARNT_ON, "duration": 60.0}, "first flight")
     flight, left = SteeredFlight(scenario), Command(-1.0)
     course, ground = Course(flight.parameters), FirstTouch(flight.parameters)
     history, motions = History(flight.parameters), [flight.result.motion]

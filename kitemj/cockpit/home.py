@@ -62,7 +62,7 @@ class Home:
     """
 
     def __init__(
-        self, doors: Doors, kite: str, size: tuple[int, int], sound: bool, quality: str
+        self, doors: Doors, kite: str, size: tuple[int, int], sound: bool, quality: str = "auto"
     ) -> None:
         self._doors, self._kite, self._lessons_kite = doors, kite, kite
         self._size, self._quality, self._marked, self._message = size, quality, "", ""
@@ -89,6 +89,7 @@ class Home:
         finally:
             self._kept.picture.close()
             if child:
+                child.kill()  # it only loads, and nobody waits for that
                 child.close()
         return status
 

@@ -12,7 +12,7 @@ from kitemj.drawing.text import put, width, wrapped
 NAME, SAYS = "kitemj", "a kite on two lines, in your hands"
 HINT = "Enter, A or a click chooses;  Esc leaves"
 LEFT = 92  # units of a frame of 720 rows, as all sizes here
-NAME_ROW, SAYS_ROW, FIRST_ROW, STEP, TOLD_ROW, HINT_ROW = 138, 212, 312, 56, 606, 676
+NAME_ROW, SAYS_ROW, FIRST_ROW, STEP, TOLD_ROW, HINT_ROW = 138, 212, 312, 56, 598, 676
 LARGE, USUAL, SMALL, LEAST = 74, 26, 17, 9  # heights of digits; px that the smallest takes
 SHUT: Colour = (166, 174, 184)
 ROOM, SHADED = 0.4, 0.74

@@ -78,14 +78,15 @@ REPLAY_ACTIONS = (
 
 REPLAY_BUTTONS = {
     **dict.fromkeys(("restart", "pause"), "play"),
-    **{"rewind": "back", "watch": "on", "law": "leave"},
+    **{"rewind": "back", "assist": "back", "watch": "on", "law": "leave"},
     **{name: name for name in ("help", "faster", "slower", "view", "instruments", "sound")},
 }
 """What a pad's button asks for while a recording is shown, by what it asks for in flight."""
 
 MENU_BUTTONS = {
     **dict.fromkeys(("restart", "pause"), "choose"),
-    **{"law": "leave", "load": "up", "save": "down", "rewind": "left", "watch": "right"},
+    **{"law": "leave", "load": "up", "save": "down", "watch": "right"},
+    **dict.fromkeys(("rewind", "assist"), "left"),
 }
 """What a pad's button asks for on the title page, by what it asks for in flight."""
 

@@ -46,11 +46,9 @@ class PilotStick:
 def show_of(parameters: Parameters) -> Stick:
     """The pilot of a show for a kite that turns, else a programmed stick.
 
-    A kite turns that goes to the hand that pulls, or whose nose follows its motion: C_nβ > 0.
+    A kite turns to the hand that pulls unless its set says that it drifts away from it.
     """
-    follows = getattr(parameters.aero, "Cn_beta", 0.0) > 0
-    drifts = parameters.stick.mirrored and not follows
-    return show(parameters) if drifts else PilotStick(Show())
+    return show(parameters) if parameters.stick.mirrored else PilotStick(Show())
 
 
 class PersonStick:

@@ -71,7 +71,9 @@ SLACK = Limit(
     "a line is slack, or would have to push",
     "take line in, or steer up",
     lambda limits, now: reduce(and_, [pull > 0.0 for pull in now.tensions]),
-    lambda limits, now: f"left {now.tensions[0]:.2f} N, right {now.tensions[-1]:.2f} N",
+    lambda limits, now: (
+        f"left {now.tensions[0]:.2f} N, right {now.tensions[-1]:.2f} N, at least 0 N"
+    ),
 )
 STALL = Limit(
     "stall",

@@ -6,12 +6,14 @@ span by a bridle that is long. So the attachments tell which it is.
 
 from kitemj.physics.kite import Kite
 from kitemj.physics.vectors import Vector
-from kitemj.scene import delta, foil
+from kitemj.scene import foil, stunt
 from kitemj.scene.cloth import Cloth
 
 SHORT = 0.25
-"""Spans: attachments nearer below the centre of mass than this are those of a framed kite; those of
-`sport` and `trainer` are at 0.08 and 0.16, those of `laksa` at 0.34."""
+"""Spans: attachments nearer below the centre of mass than this are those of a framed kite.
+
+Those of `sport` and `trainer` are at 0.08 and 0.16, those of `laksa` at 0.34.
+"""
 
 
 def framed(kite: Kite) -> bool:
@@ -21,10 +23,10 @@ def framed(kite: Kite) -> bool:
 
 def canopy(kite: Kite) -> Cloth:
     """The cloth of a kite, from its span, chord and attachments."""
-    return delta.delta(kite) if framed(kite) else foil.foil(kite)
+    return stunt.stunt(kite) if framed(kite) else foil.foil(kite)
 
 
 def surface_point(kite: Kite, across: float, along: float) -> Vector:
     """Point [m, B] of the sail: `across` -1 (A₋) to 1 (A₊), `along` 0 (nose) to 1 (tail)."""
-    point = delta.point if framed(kite) else foil.point
+    point = stunt.point if framed(kite) else foil.point
     return point(kite, across, along)

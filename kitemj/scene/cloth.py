@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_array
 
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
@@ -83,14 +82,16 @@ class Normals:
     """Unit normals at the vertices of a mesh: the mean of the faces around, by their size."""
 
     def __init__(self, faces: NDArray[np.int32]) -> None:
+        """For a mesh of which every vertex is a corner of a face."""
         self._corners = faces.T
-        ones, each = np.ones(faces.size), np.repeat(np.arange(len(faces)), 3)
-        self._around = csr_array((ones, (faces.ravel(), each)))
+        order = np.argsort(faces.ravel(), kind="stable")
+        self._around = order // 3  # faces, by their vertices
+        self._starts = np.searchsorted(faces.ravel()[order], np.arange(faces.max() + 1))
 
     def of(self, points: Points) -> Points:
         """Of vertices (n, 3) in any frame."""
         a, b, c = (points[corner] for corner in self._corners)
-        total = self._around @ np.cross(b - a, c - a)
+        total = np.add.reduceat(np.cross(b - a, c - a)[self._around], self._starts)
         unit: Points = total / np.maximum(np.linalg.norm(total, axis=1), 1e-12)[:, None]
         return unit
 

@@ -40,9 +40,6 @@ Limb = tuple[ArrayLike, ArrayLike, float, Colour]
 """From where to where, radius, colour."""
 BODY: tuple[Limb, ...] = (
     ((0.0, 0.07, 0.92), (0.0, -0.07, 0.92), 0.115, TROUSERS),
-    ((0.0, 0.035, 1.02), (0.0, 0.05, 1.28), 0.125, SHIRT),
-    ((0.0, -0.035, 1.02), (0.0, -0.05, 1.28), 0.125, SHIRT),
-    ((0.0, 0.12, 1.36), (0.0, -0.12, 1.36), 0.105, SHIRT),
     ((0.0, 0.0, 1.44), (0.02, 0.0, 1.64), 0.055, SKIN),
     ((0.03, 0.0, 1.66), (0.03, 0.0, 1.66), 0.105, SKIN),
     ((0.005, 0.0, 1.69), (0.005, 0.0, 1.69), 0.108, HAIR),
@@ -53,6 +50,8 @@ BODY: tuple[Limb, ...] = (
     ((0.02, -0.13, 0.5), (0.0, -0.09, 0.92), 0.082, TROUSERS),
     ((-0.12, -0.15, 0.07), (0.05, -0.18, 0.06), 0.055, SHOES),
 )
+CHEST, WAIST = (0.0, 0.0, 1.25), (0.0, 0.0, 1.02)
+CHEST_SIZE, WAIST_SIZE = (0.125, 0.21, 0.24), (0.115, 0.165, 0.22)
 
 
 class Hands(NamedTuple):
@@ -83,6 +82,8 @@ def add_pilot(strokes: Strokes, parameters: Parameters, motion: Motion, scale: f
             (hand - GRIP, hand + GRIP, 0.02, DARK),
         ]
     ends = np.array([limb[:2] for limb in limbs]) @ axes
+    for middle, size in ((CHEST, CHEST_SIZE), (WAIST, WAIST_SIZE)):
+        strokes.egg(np.array(middle) @ axes, np.array(size)[:, None] * axes, SHIRT)
     for both, (_, _, radius, colour) in zip(ends, limbs, strict=True):
         strokes.limb(both, scale * radius, colour)
 

@@ -73,19 +73,6 @@ def open_graphics(width: int, height: int) -> Graphics:
     )
 
 
-def smooth_sky(texture: int) -> None:
-    """Lets the cube `texture` of the current context be seen without seams, by its largest picture.
-
-    A sky is never far away: the smaller pictures would only cost time, 4 ms of 23 for a frame of
-    1280 x 720 that the processor draws.
-    """
-    from OpenGL import GL  # mujoco's own; to import it takes a while
-
-    GL.glEnable(GL.GL_TEXTURE_CUBE_MAP_SEAMLESS)
-    GL.glBindTexture(GL.GL_TEXTURE_CUBE_MAP, texture)
-    GL.glTexParameteri(GL.GL_TEXTURE_CUBE_MAP, GL.GL_TEXTURE_MIN_FILTER, GL.GL_LINEAR)
-
-
 def candidates(asked: str, system: str) -> list[str]:
     """Names of the modules of mujoco to try, for the value of MUJOCO_GL and the system."""
     asked = asked.lower().strip()

@@ -1,5 +1,6 @@
 """Sky and ground in the drawing model."""
 
+from collections.abc import Container
 from math import cos, sin
 from typing import Any
 
@@ -7,15 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.ground import MARGIN, coast_distance, squares
-from kitemj.scene.model_parts import FLAT, SKYBOX, Mesh, add_blank_texture, add_mesh, add_shape
-from kitemj.scene.sky import sky
+from kitemj.physics.vectors import Vector
+from kitemj.scene.ground import EXTENT, MARGIN, coast_distance, squares
+from kitemj.scene.model_parts import Mesh, add_blank_texture, add_mesh, add_shape
+from kitemj.scene.sky import RIM, faces, sky
 from kitemj.scene.sun import land_turn
 
 CELLS = 12  # quadrilaterals along a side of a square
 UNDER = 0.97  # of its inner side: a square begins under the one within, so that no gap shows
 BOATS = ((130.0, 45.0, 1.9), (260.0, -160.0, 1.2), (420.0, 60.0, 1.7), (700.0, -60.0, 1.4))
 """How far out from the coast and to the left [m, L]; course [rad from straight ahead]."""
+SKY = tuple(f"sky_{k}" for k in range(5))
+FOOT = 0.14  # how far walls of the sky go below the horizon, in parts of their half height
 STEP = 0.0005  # of its inner side: how much lower it lies
 
 
@@ -25,20 +29,45 @@ def add_landscape(spec: Any, parameters: Parameters, texels: int) -> dict[str, N
     Returns the pictures that are to be painted on their textures, by name.
     """
     azimuth, length = parameters.wind.azimuth, parameters.lines.length
-    pictures = {"sky": sky(texels, azimuth)}
-    add_blank_texture(spec, "sky", SKYBOX, texels)
+    pictures = {f"sky_{k}": image for k, image in enumerate(sky(texels, azimuth))}
+    _add_sky(spec, texels)
     half = land_turn(azimuth) / 2
     body = spec.worldbody.add_body(name="land", quat=[cos(half), 0.0, 0.0, sin(half)])
     for k, (inner, outer, image) in enumerate(squares(length, 3 * texels // 4)):
         name = f"ground_{k}"
         pictures[name] = image
-        add_blank_texture(spec, name, FLAT, len(image))
+        add_blank_texture(spec, name, len(image))
         square = _square(UNDER * inner, outer)
         places = square.vertices[:, 1::-1] / (2 * MARGIN * outer) + 0.5
         add_mesh(spec, name, square, places)
         add_shape(body, name, material=name, pos=[0.0, 0.0, -STEP * inner])
     _add_boats(spec, body, coast_distance(length))
     return pictures
+
+
+def _add_sky(spec: Any, texels: int) -> None:
+    """Adds walls and roof, which `follow` puts around the eye.
+
+    The engine's own sky costs twice as much where the processor draws. Normals point up, so that
+    the light, which shows level ground as it is, does the same here.
+    """
+    for k in range(len(SKY)):
+        low = 1.0 if k == len(SKY) - 1 else FOOT
+        c, r = np.array([-1.0, 1.0, 1.0, -1.0]), np.array([-1.0, -1.0, low, low])
+        corners = EXTENT * np.stack(faces(c, r)[k], axis=1)
+        share = 0.5 - RIM / texels
+        both = np.array([(0, 1, 2), (0, 2, 3), (1, 0, 2), (2, 0, 3)], np.int32)
+        add_blank_texture(spec, SKY[k], texels)
+        up = np.tile([0.0, 0.0, 1.0], (4, 1))
+        add_mesh(spec, SKY[k], Mesh(corners, both), np.stack([c, r], 1) * share + 0.5, up)
+        add_shape(spec.worldbody, SKY[k], name=SKY[k], material=SKY[k])
+
+
+def follow(mjv: Any, shapes: Container[int], eye: Vector) -> None:
+    """Moves the sky's shapes, geoms of these numbers, in a scene just made to an `eye` [m, W]."""
+    for geom in mjv.geoms[: mjv.ngeom]:
+        if geom.objid in shapes:
+            geom.pos[:] += eye
 
 
 def _add_boats(spec: Any, land: Any, coast: float) -> None:

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from kitemj.mujoco_import import mujoco
 
 FLAT = mujoco.mjtTexture.mjTEXTURE_2D
-SKYBOX = mujoco.mjtTexture.mjTEXTURE_SKYBOX
 
 
 class Mesh(NamedTuple):
@@ -18,11 +17,11 @@ class Mesh(NamedTuple):
     faces: NDArray[np.int32]
 
 
-def add_mesh(spec: Any, name: str, mesh: Mesh, texcoord: Any = ()) -> None:
-    """Adds a mesh and, if it is textured, where in its texture (u, v) each vertex is."""
+def add_mesh(spec: Any, name: str, mesh: Mesh, texcoord: Any = (), normals: Any = ()) -> None:
+    """Adds a mesh; if textured, where in its texture (u, v) each vertex is; its normals, or own."""
     added = spec.add_mesh(name=name, uservert=mesh.vertices.ravel(), userface=mesh.faces.ravel())
     added.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL  # flat meshes have no volume
-    added.usertexcoord = np.ravel(texcoord)
+    added.usertexcoord, added.usernormal = np.ravel(texcoord), np.ravel(normals)
 
 
 def add_texture(spec: Any, name: str, image: NDArray[np.uint8]) -> None:
@@ -33,15 +32,14 @@ def add_texture(spec: Any, name: str, image: NDArray[np.uint8]) -> None:
     _add_material(spec, name)
 
 
-def add_blank_texture(spec: Any, name: str, kind: Any, side: int) -> None:
+def add_blank_texture(spec: Any, name: str, side: int) -> None:
     """Adds a texture of `side` texels that `paint_texture` is to paint, and a material.
 
     The engine reads a picture that it is given number by number, 0.3 s for a million texels.
     """
     plain = mujoco.mjtBuiltin.mjBUILTIN_FLAT
-    spec.add_texture(name=name, type=kind, builtin=plain, width=side, height=side, nchannel=3)
-    if kind == FLAT:
-        _add_material(spec, name)
+    spec.add_texture(name=name, type=FLAT, builtin=plain, width=side, height=side, nchannel=3)
+    _add_material(spec, name)
 
 
 def paint_texture(model: Any, name: str, image: NDArray[np.uint8]) -> None:

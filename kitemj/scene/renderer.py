@@ -10,7 +10,7 @@ from kitemj.closing import Closing
 from kitemj.dynamics.motion import Motion
 from kitemj.mujoco_import import mujoco
 from kitemj.physics.parameters import Parameters
-from kitemj.scene.gl import open_graphics, smooth_sky
+from kitemj.scene.gl import open_graphics
 from kitemj.scene.quality import FILM, HIGH, Quality
 from kitemj.scene.scene import Scene
 from kitemj.scene.views import Camera
@@ -36,7 +36,6 @@ class Renderer(Closing):
         with self._graphics.context.as_current():
             font = mujoco.mjtFontScale.mjFONTSCALE_100
             self._context: Any = mujoco.MjrContext(self.scene.model, font)
-            smooth_sky(int(self._context.texture[self.scene.model.texture("sky").id]))
             mujoco.mjr_setBuffer(int(mujoco.mjtFramebuffer.mjFB_OFFSCREEN), self._context)
         self._pixels = np.empty((height, width, 3), np.uint8)
 

@@ -34,7 +34,7 @@ LINE, THIN = 2, 1  # px of 720 rows
 WIND = (0.75, 0.95, 1.0)
 
 ALL = int(mujoco.mjtCatBit.mjCAT_ALL)
-SKYBOX, CULL_FACE = int(mujoco.mjtRndFlag.mjRND_SKYBOX), int(mujoco.mjtRndFlag.mjRND_CULL_FACE)
+CULL_FACE = int(mujoco.mjtRndFlag.mjRND_CULL_FACE)
 
 
 class Scene:
@@ -52,7 +52,7 @@ class Scene:
         self._sails = Sails(parameters, self.model)
         self._strokes = Strokes(self.mjv)
         self.mjv.flags[:] = 0
-        self.mjv.flags[[SKYBOX, CULL_FACE]] = 1
+        self.mjv.flags[CULL_FACE] = 1
 
     def fill(
         self,
@@ -84,7 +84,8 @@ class Scene:
         mujoco.mj_camlight(model, data)
         mujoco.mjv_updateScene(model, data, self._option, None, self._free, ALL, self.mjv)
         self._aim(camera)
-        self.surroundings.add(self.mjv, motion, enlargement(self.parameters) if wide else 1.0)
+        size = enlargement(self.parameters) if wide else 1.0
+        self.surroundings.add(self.mjv, motion, size, camera.position)
         scale = self._figure_scale(camera)
         held = Hands(*(times(scale, hand) for hand in hands(self.parameters, motion)))
         add_lines(strokes, motion, held, line)

@@ -16,7 +16,7 @@ from kitemj.scene.decor import Colour, add_flat
 SUN_WIDTH = 0.0093  # rad, that the sun is wide: so much wider is the rim for each metre of way
 DARK: Colour = (0.03, 0.05, 0.08)
 DEPTH = 0.42  # of the darkest part
-LAYERS = 3  # that make the rim soft
+LAYERS = 2  # that make the rim soft
 LIFT = 0.012  # m, a layer lies over the ground or over the one below it
 MOST_POINTS = 40
 

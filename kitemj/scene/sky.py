@@ -1,4 +1,4 @@
-"""The sky as six pictures on a cube: gradient, sun, clouds, hills in the haze.
+"""The sky as pictures on walls and roof of a cube: gradient, sun, clouds, hills in the haze.
 
 All is a function of the direction, in the frame of the land: ahead (downwind), left, up.
 """
@@ -18,27 +18,33 @@ ZENITH = (0.19, 0.43, 0.78)
 WARM = (1.0, 0.96, 0.86)
 CLOUD, SHADE = (1.0, 0.995, 0.98), (0.74, 0.80, 0.88)
 HILLS = ((0.66, 0.75, 0.82), (0.52, 0.63, 0.66), (0.40, 0.51, 0.45))  # far, nearer, near
+RIM = 4  # texels of a picture beyond the edges of its face, for the mixing of neighbours
 LOWEST = 0.15  # sine of the elevation up to which hills are looked for, both ways
 ROWS = 256  # that are painted at a time: numbers that stay near the processor
 TILE = 7.0  # cloud heights that a tile of clouds covers
 
 
 def directions(side: int) -> NDArray[np.float32]:
-    """Directions in W of the texels of the cube (6, side, side, 3), in the engine's order.
+    """Directions in W of the texels of walls and roof (5, side, side, 3): +x, -x, +y, -y, +z.
 
-    Not of unit length: the largest component is ±1. Faces: +x, -x, +z, -z, -y, +y.
+    On a wall rows go down and columns to the left; at the edges of the cube, `RIM` texels from
+    those of a picture, the largest components are ±1.
     """
-    across = ((np.arange(side, dtype=np.float32) + 0.5) / side) * 2 - 1
+    across = (np.arange(side, dtype=np.float32) + 0.5 - side / 2) / (side / 2 - RIM)
     r, c = np.meshgrid(across, across, indexing="ij")
+    return np.stack([np.stack(np.broadcast_arrays(*face), axis=-1) for face in faces(c, r)])
+
+
+def faces(c: Field, r: Field) -> list[tuple[Field, Field, Field]]:
+    """Directions in W of places on each face: `c` -1..1 along columns, `r` -1..1 along rows."""
     one = np.ones_like(c)
-    faces = ((one, c, -r), (-one, -c, -r), (c, -r, one), (c, r, -one), (c, -one, -r), (-c, one, -r))
-    return np.stack([np.stack(face, axis=-1) for face in faces])
+    return [(one, c, -r), (-one, -c, -r), (-c, one, -r), (c, -one, -r), (c, -r, one)]
 
 
 @lru_cache(maxsize=2)
 def sky(side: int, azimuth: float) -> NDArray[np.uint8]:
-    """The cube's texture (6 side, side, 3) for a wind from `azimuth` [rad]."""
-    every = directions(side).reshape(6 * side, side, 3)
+    """Pictures of walls and roof (5, side, side, 3), as `directions`, for a wind's `azimuth`."""
+    every = directions(side).reshape(5 * side, side, 3)
     image = np.empty(every.shape, np.uint8)
     image[:] = 255 * np.array(HORIZON)
     rows = np.flatnonzero(every[:, 0, 2] > -LOWEST)
@@ -52,7 +58,7 @@ def sky(side: int, azimuth: float) -> NDArray[np.uint8]:
         # a grain of one step hides the bands of eight bits
         colour += grain.random(x.shape, np.float32)
         image[few] = np.moveaxis(np.clip(colour, 0, 255), 0, -1)
-    return image
+    return image.reshape(5, side, side, 3)
 
 
 def sky_colour(ahead: Field, left: Field, up: Field) -> Field:

@@ -11,6 +11,7 @@ from kitemj.physics.frames import world
 from kitemj.physics.vectors import Vector, norm, plus
 from kitemj.scene.cloth import Colour
 
+ELLIPSOID = int(mujoco.mjtGeom.mjGEOM_ELLIPSOID)
 ARROW = int(mujoco.mjtGeom.mjGEOM_ARROW)
 LINE = int(mujoco.mjtGeom.mjGEOM_LINE)
 CAPSULE = int(mujoco.mjtGeom.mjGEOM_CAPSULE)
@@ -44,6 +45,13 @@ class Strokes:
                 geom.size, geom.pos = [radius] * 3, start
         else:
             self._from_to(CAPSULE, radius, start, end, colour)
+
+    def egg(self, middle: ArrayLike, axes: ArrayLike, colour: Colour) -> None:
+        """An ellipsoid with three half axes (3, 3) [m, E], at right angles to each other."""
+        if (geom := self._next(ELLIPSOID, colour)) is not None:
+            half = np.asarray(axes) * WORLD
+            geom.size = sizes = np.linalg.norm(half, axis=1)
+            geom.pos, geom.mat = np.asarray(middle) * WORLD, (half / sizes[:, None]).T
 
     def arrow(self, start: Vector, along: Vector, radius: float, colour: Colour) -> None:
         """An arrow, unless it is shorter than a millimetre."""

@@ -24,9 +24,9 @@ BEHIND, ASIDE, EYE = 5.0, 0.9, 1.5  # m from O_E: behind the pilot, to the right
 HORIZON = 0.78  # half heights of the frame below its middle
 KITE, KITE_LOW = 0.53, 0.60  # half heights above the middle, and below it for one on the ground
 EASING = radians(3.0)
-NARROW, NARROWEST = radians(36.0), radians(22.0)  # for a kite that is low; far
-LOW_SPAN, HIGH_SPAN = 0.045, 0.075  # of the width of a frame, at least, for a kite low and high
-LOW, HIGH = radians(40.0), radians(62.0)
+WIDE, NARROW, NARROWEST = radians(53.0), radians(36.0), radians(22.0)  # with the horizon; low; far
+LOW_SPAN, HIGH_SPAN = 0.035, 0.075  # of the width of a frame, at least, for a kite low and high
+LOW, HIGH = radians(37.0), radians(56.0)
 
 CHASE_FIELD = radians(50.0)
 CHASE_SPANS = 3.6  # from the kite
@@ -122,7 +122,7 @@ def pilot_aim(parameters: Parameters, motion: Motion) -> PilotAim:
     climbed = min(max((elevation - LOW) / (HIGH - LOW), 0.0), 1.0)
     share = LOW_SPAN + (HIGH_SPAN - LOW_SPAN) * climbed
     widest = parameters.kite.span / parameters.lines.length / (share * 2 * 16 / 9)
-    T = min(max(T, tan(NARROW / 2)), max(widest, tan(NARROWEST / 2)))
+    T = min(max(T, tan(NARROW / 2)), max(widest, tan(NARROWEST / 2)), tan(WIDE / 2))
     return PilotAim(yaw, elevation, 2 * atan(T))
 
 

@@ -23,7 +23,7 @@ ORANGE, WHITE, YELLOW = (0.98, 0.45, 0.08), (0.96, 0.96, 0.93), (0.99, 0.80, 0.1
 POLE: Colour = (0.55, 0.50, 0.44)
 SOCK_LIGHT, RIBBON_LIGHT = 3.2, 1.6  # m/s, in which the cloth stands at 45°
 SOCK = 1.8  # m
-RIBBON, RIBBON_WIDTH, PIECES = 2.2, 0.16, 9  # m, m, and of how many boxes it is made
+RIBBON, RIBBON_WIDTH, PIECES = 2.2, 0.16, 7  # m, m, and of how many boxes it is made
 WAVES = 1.6  # along a ribbon
 SWING = 0.16  # rad, of a sock from side to side
 

@@ -597,7 +597,7 @@ FAULTS = [
     ),
     Fault(
         "a stunt kite with its colours exchanged",
-        "scene.delta",
+        "scene.stunt",
         "np.where(left[..., None], RED, BLUE)",
         "np.where(left[..., None], BLUE, RED)",
         PORT,
@@ -611,7 +611,7 @@ FAULTS = [
     ),
     Fault(
         "a sail that bellies into the wind",
-        "scene.delta",
+        "scene.stunt",
         "points[:, 2] -= plan.span",
         "points[:, 2] += plan.span",
         BELLIES,

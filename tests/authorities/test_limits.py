@@ -42,8 +42,8 @@ def test_each_limit_at_the_numbers_of_its_file():
     assert told(tensions=(599.0, 0.1)) is None
     assert told(tensions=(601.0, 9.0)) == (OVERLOAD, "601 N of 600 N")
     assert told(tensions=(9.0, 601.0)) == (OVERLOAD, "601 N of 600 N")
-    assert told(tensions=(9.0, -0.1)) == (SLACK, "left 9.00 N, right -0.10 N")
-    assert told(tensions=(-0.1, 9.0)) == (SLACK, "left -0.10 N, right 9.00 N")
+    assert told(tensions=(9.0, -0.1)) == (SLACK, "left 9.00 N, right -0.10 N, at least 0 N")
+    assert told(tensions=(-0.1, 9.0)) == (SLACK, "left -0.10 N, right 9.00 N, at least 0 N")
     assert told(twist=-4.9 * TURN) is None
     assert told(twist=-5.1 * TURN) == (TWIST, "5.1 turns of 5")
     assert told(twist=5.1 * TURN) == (TWIST, "5.1 turns of 5")

@@ -7,7 +7,8 @@ import numpy as np
 import pygame
 import pytest
 
-from kitemj.cockpit.demonstration import Demonstration
+from kitemj.cli import main
+from kitemj.cockpit.demonstration import MOST, Demonstration
 from kitemj.cockpit.home import Doors, Home
 from kitemj.cockpit.menu import Entry, Menu
 from kitemj.cockpit.screens import Window, display_found
@@ -16,7 +17,10 @@ from kitemj.cockpit.title_page import _shade, paint_title
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
 from kitemj.drawing.picture import Picture
+from kitemj.flight.live import Command
 from kitemj.flight.scenario import scenario_of
+from kitemj.physics.parameter_files import set_names
+from kitemj.recording.live import LiveFlight
 from kitemj.recording.recorder import latest
 from tests.controls.virtual_pad import VirtualPad
 
@@ -143,6 +147,14 @@ def test_the_demonstration_flies_and_begins_anew_after_the_ground(monkeypatch):
     assert show.motion.t == 0.0
 
 
+@pytest.mark.parametrize("kite", set_names())
+def test_every_kite_has_a_show_that_stays_in_the_air(kite):
+    show = Demonstration(scenario_of({"set": kite, "duration": 60.0}, "test"))
+    for _ in range(150):
+        show.advance(MOST)
+    assert show.motion.t == pytest.approx(15.0)
+
+
 def test_latest_is_the_flight_last_written_here(tmp_path):
     assert latest(tmp_path) is None
     for age, name in enumerate(("kitemj-2.arrows", "kitemj-1.arrows", "mine.arrows")):
@@ -161,6 +173,8 @@ class Idle:
 
     def close(self):
         pass
+
+    kill = close
 
 
 def test_home_flies_what_is_chosen_and_keeps_window_picture_and_silence(monkeypatch, tmp_path):
@@ -232,3 +246,37 @@ def test_what_is_written_is_legible_before_a_white_cloud(size):
     strokes = text >= np.quantile(text, 0.7)  # the rest are their soft edges
     contrast = (text[strokes] + 0.05) / (behind[strokes] + 0.05)
     assert contrast.min() >= 4.5
+
+
+@pytest.mark.parametrize(
+    ("words", "what"),
+    [
+        ((), "title"),
+        (("--size", "640x360", "--view", "chase", "--no-record"), "title"),
+        (("--no-title",), "flight"),
+        (("--duration", "3"), "flight"),
+        (("--kite", "thesis"), "flight"),
+        (("--lessons",), "flight"),
+        (("--pilot", "eight"), "flight"),
+        (("steer_80m",), "flight"),
+    ],
+)
+def test_who_asks_for_a_certain_flight_sees_no_title(monkeypatch, words, what):
+    seen = []
+    monkeypatch.setattr("kitemj.realtime.launch.launch", lambda: None)
+    monkeypatch.setattr("kitemj.cockpit.screens.display_found", lambda: True)
+    monkeypatch.setattr("kitemj.commands.fly._fly", lambda *_: seen.append("flight"))
+    monkeypatch.setattr("kitemj.commands.fly._from_title", lambda *_: seen.append("title"))
+    assert main(["fly", *words]) == 0
+    assert seen == [what]
+
+
+def test_replay_of_nothing_is_the_last_flight_or_a_sentence(monkeypatch, tmp_path, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["replay", "--headless"]) == 1
+    assert "there is no kitemj-*.arrows in this folder" in capsys.readouterr().err
+    with LiveFlight(SPORT, record=tmp_path / "kitemj-1.arrows") as flight:
+        for _ in range(60):
+            flight.tick(Command())
+    assert main(["replay", "--export", "csv"]) == 0
+    assert (tmp_path / "kitemj-1.csv").exists()

@@ -119,11 +119,19 @@ def test_every_action_of_a_replay_has_a_key_and_stands_on_its_page():
         assert any(pygame.key.name(key)[:3] in page for key in keys), name
 
 
-def test_a_pad_watches_and_chooses_with_the_buttons_that_it_has_in_flight():
-    flying = set(STANDARD.values())
-    assert flying >= set(REPLAY_BUTTONS) - {"sound"}
+def test_a_pad_watches_and_chooses_with_its_cross_and_its_buttons():
+    cross = (
+        (pygame.CONTROLLER_BUTTON_DPAD_UP, "up", None),
+        (pygame.CONTROLLER_BUTTON_DPAD_DOWN, "down", None),
+        (pygame.CONTROLLER_BUTTON_DPAD_LEFT, "left", "back"),
+        (pygame.CONTROLLER_BUTTON_DPAD_RIGHT, "right", "on"),
+        (pygame.CONTROLLER_BUTTON_A, "choose", "play"),
+        (pygame.CONTROLLER_BUTTON_B, "leave", "leave"),
+    )
+    for button, on_the_title, watching in cross:
+        assert MENU_BUTTONS.get(STANDARD[button]) == on_the_title
+        assert REPLAY_BUTTONS.get(STANDARD[button]) == watching
     assert set(REPLAY_BUTTONS.values()) <= {action.name for action in REPLAY_ACTIONS}
-    assert flying >= set(MENU_BUTTONS)
     assert set(MENU_BUTTONS.values()) <= set(MENU_KEYS.values())
 
 
