@@ -140,7 +140,10 @@ def test_a_pilot_flies_into_the_ground():
 
 
 BAD_PILOTS = {
-    "name": ("helix", "there is no pilot 'helix'; there are: hold, loop, eight, land"),
+    "name": (
+        "helix",
+        "there is no pilot 'helix'; there are: hold, loop, eight, assist, land, show",
+    ),
     "no file": ("none.py:Weave", "none.py is no Python file"),
     "broken": ("broken.py:Weave", "broken.py cannot be loaded: ZeroDivisionError"),
     "no such": ("weave.py:Wave", "there is no Wave in weave.py"),

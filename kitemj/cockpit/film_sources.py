@@ -28,6 +28,7 @@ from kitemj.plots.flight import Flight, flight_of_simulation
 from kitemj.recording.file import Recording, read_recording
 from kitemj.recording.recorder import SUFFIX
 from kitemj.recording.replay import Replay, replay
+from kitemj.recording.table import HAND
 from kitemj.recording.track import Track, between
 
 SAME = 1e-6
@@ -138,6 +139,7 @@ class RecordingSource:
             speed=speed,
             traces=self._traces.at(row),
             touch=self._touch(row),
+            assist=isfinite(float(columns[HAND][row])),
         )
         return Shot(motion, reference, readings)
 

@@ -14,8 +14,9 @@ from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK
+from kitemj.physics.shaping import StickLaw
 from kitemj.pilots.course import Course
-from kitemj.realtime.messages import Deed, Rate, StartAt, Timekeeping
+from kitemj.realtime.messages import Assisted, Deed, Rate, Timekeeping
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
 from kitemj.recording.recorder import FLUSH
@@ -71,7 +72,7 @@ def fly(
     screen: shows them, and has the person's wishes; closed in the end
     duration: s of wall time; None: no end
     called: s by perf_counter, since when the first frame is waited for; None: now
-    course: the lessons; it watches what is painted, and has the flight's second start
+    course: the lessons; it watches what is painted
 
     Raises what ended the flight, if anything did, once the screen is closed.
     """
@@ -94,10 +95,11 @@ def fly(
             if isinstance(screen.stick, ProgrammedStick):
                 screen.wishes.ask(screen.stick.actions(painting - begun))
             physics.ask(screen.stick.command(physics.result.motion))
+            physics.ask(Assisted(screen.assist))
             if "watch" in _grant(screen.wishes, physics, picture, course) and picture:
                 begun += _watch(physics, picture, screen)
             if course:
-                course.watch(physics.result.motion)
+                course.watch(physics.result.motion, assist=screen.assist)
             moving = screen.wishes.pace > 0
             screen.sense(physics.parameters, physics.result.motion, physics.touch, moving)
             if picture:
@@ -129,7 +131,6 @@ def _grant(
     deeds, turn, zoom = wishes.taken()
     others: list[str] = []
     physics.ask(Rate(wishes.pace))
-    physics.ask(StartAt(1 if course and course.start else 0))
     for deed in deeds:
         if deed == "watch":
             others.append(deed)
@@ -176,17 +177,22 @@ def _watch(physics: FlightProcess, picture: Picture, screen: Screen) -> float:
 def _readings(
     physics: FlightProcess, history: History, screen: Screen, course: Course | None
 ) -> Readings:
-    """The readings of the present moment; the pointer of the knob is where the stick is now."""
+    """The readings of the present moment.
+
+    The pointer of the knob is where the stick is now, or where the assist has it.
+    """
     times, wishes, status = physics.times, screen.wishes, course.status if course else None
     lesson_shown = status and (status.number or status.praised)  # until all are passed and praised
+    own = physics.command.delta * physics.parameters.stick.delta
     return Readings(
         model=physics.model,
         gap=physics.result.gap,
-        delta_command=physics.command.delta * physics.parameters.stick.delta,
-        law=physics.command.law,
+        delta_command=physics.result.wish if screen.assist else own,
+        law=StickLaw.ANGLE if screen.assist else physics.command.law,
         missed_ticks=times.missed,
         lateness=times.lateness,
-        stick=screen.stick.name,
+        stick=f"{screen.stick.name} + assist" if screen.assist else screen.stick.name,
+        assist=screen.assist,
         speed=wishes.pace,
         message=screen.message or physics.problem,
         traces=history.traces(time.perf_counter()),

@@ -41,6 +41,11 @@ class Screen:
         """A sentence on the stick for the person; empty: none."""
         return ""
 
+    @property
+    def assist(self) -> bool:
+        """Whether the assist is to fly what the stick asks for."""
+        return False
+
     def poll(self) -> None:
         """Takes in what the person did since."""
 
@@ -175,6 +180,11 @@ class Window(Screen):
         """A sentence on the stick for the person; empty: none."""
         return self._person.message
 
+    @property
+    def assist(self) -> bool:
+        """Whether the assist is to fly what the person asks for."""
+        return self._person.assist and self.stick is self._person
+
     def events(self) -> Iterator[tuple[pygame.event.Event, tuple[str, ...]]]:
         """All events since, each with the actions that a pad asks for by it."""
         for event in events():
@@ -204,7 +214,7 @@ class Window(Screen):
                 if not full():
                     self._windowed = pygame.display.get_window_size()
                 change_fullness(self._windowed)
-            elif name in ("law", "two sticks"):
+            elif name in ("law", "two sticks", "assist"):
                 self._person.change(name)
             else:
                 self.wishes.ask([name])

@@ -80,7 +80,7 @@ def add_step(parser: Parser) -> None:
 
 def add_pilot(parser: Parser) -> None:
     """``--pilot``."""
-    says = "has the stick: hold, loop, eight, land, show, or one of your own as FILE.py:NAME"
+    says = "has the stick: hold, loop, eight, assist, land, show, or your own as FILE.py:NAME"
     parser.add_argument("--pilot", metavar="WHO", help=says)
 
 

@@ -56,6 +56,9 @@ def add(parser: Parser) -> None:
     parser.add_argument("--at", type=float, metavar="S", help="from this time of it; its end")
     parser.add_argument("--lessons", action="store_true", help="all lessons, passed or not")
     parser.add_argument("--no-lessons", action="store_true", help="none")
+    says = "the assist flies what the stick asks for at first, or not; in lessons it does"
+    flag = argparse.BooleanOptionalAction
+    parser.add_argument("--assist", action=flag, default=None, help=says)
     parser.add_argument("--no-title", action="store_true", help="fly at once, from no title page")
     parser.add_argument("--duration", type=float, metavar="S", help="leave after S seconds")
     says = "open no window: fly a show and film it"
@@ -158,8 +161,6 @@ def _fly(args: argparse.Namespace, launched: "Child", kept: "Kept | None" = None
     if film:
         check_output(film, style, still=False, overwrite=args.overwrite)
     course = _course(args) if window else None
-    if course:  # its own start is the second one
-        setup = setup._replace(other_starts=course.starts, start=int(course.start is not None))
     with recorded(setup) if film else nullcontext(setup) as setup:
         physics = FlightProcess(setup, launched)
         try:
@@ -198,7 +199,7 @@ def _fly_in_window(
     own = nullcontext(kept.picture) if kept else Picture(scenario.parameters, *pixels, args.quality)
     with own as picture:
         physics.wait()
-        screen = _window(scenario, pixels, programme)
+        screen = _window(scenario, pixels, programme, args.assist, course)
         screen.wishes.view = args.view
         if kept:
             screen.wishes.sound = kept.sound
@@ -284,8 +285,13 @@ def _programme(args: argparse.Namespace, scenario: "Scenario") -> "Stick | None"
     """The table or the pilot that flies, if there is one."""
     from kitemj.controls.programmed import read_programmed_stick
     from kitemj.controls.stick import PilotStick
+    from kitemj.pilots.manoeuvres import turns
     from kitemj.pilots.registry import as_pilot
 
+    if args.assist and (args.pilot or args.stick):
+        raise InputError("--assist helps a person: leave out --pilot or --stick")
+    if args.assist and not turns(scenario.parameters):
+        raise InputError("--assist is for kites that turn, and this one drifts: leave it out")
     if args.pilot and args.stick:
         raise InputError("--pilot and --stick both want the stick: give one of them")
     if args.pilot:
@@ -293,7 +299,13 @@ def _programme(args: argparse.Namespace, scenario: "Scenario") -> "Stick | None"
     return read_programmed_stick(args.stick, scenario.parameters) if args.stick else None
 
 
-def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None") -> "Window":
+def _window(
+    scenario: "Scenario",
+    pixels: tuple[int, int],
+    stick: "Stick | None",
+    assist: bool | None = None,
+    course: "Course | None" = None,
+) -> "Window":
     """A window for a person, with what they have set; `stick` flies in their place."""
     from kitemj.cockpit.screens import Window
     from kitemj.controls.settings import settings_or_defaults
@@ -301,6 +313,10 @@ def _window(scenario: "Scenario", pixels: tuple[int, int], stick: "Stick | None"
 
     settings, complaint = settings_or_defaults()
     person = PersonStick(settings, scenario.parameters)
+    if assist is not None:
+        person.assist = assist
+    elif course and settings.assist == "lessons":
+        person.assist = True
     if complaint:
         person.notices.say(complaint, LONG)
     window = Window(*pixels, f"kitemj: {scenario.source}", person, stick)

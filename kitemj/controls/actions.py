@@ -38,6 +38,7 @@ ACTIONS = (
     Action("faster", "", ""),
     Action("law", "T   (B)", "the stick asks for δ, its rate, its acceleration"),
     Action("two sticks", "Y   (left stick pressed)", "a stick for each line"),
+    Action("assist", "H   (cross left)", "the assist on or off: the stick asks for turns"),
     Action("view", "V   (Y)", "next view"),
     Action("instruments", "I   (X)", "instruments: pilot's, engineer's, none; 1 to 9, 0, L: one"),
     Action("full screen", "F11   F", "full screen"),

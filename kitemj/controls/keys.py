@@ -21,6 +21,7 @@ KEYS = {
     **dict.fromkeys((pygame.K_EQUALS, pygame.K_PLUS, pygame.K_KP_PLUS), "faster"),
     pygame.K_t: "law",
     pygame.K_y: "two sticks",
+    pygame.K_h: "assist",
     pygame.K_v: "view",
     pygame.K_i: "instruments",
     **dict.fromkeys((pygame.K_F11, pygame.K_f), "full screen"),

@@ -26,7 +26,7 @@ STANDARD = {
     pygame.CONTROLLER_BUTTON_RIGHTSHOULDER: "faster",
     pygame.CONTROLLER_BUTTON_LEFTSTICK: "two sticks",
     pygame.CONTROLLER_BUTTON_RIGHTSTICK: "rewind",
-    pygame.CONTROLLER_BUTTON_DPAD_LEFT: "rewind",
+    pygame.CONTROLLER_BUTTON_DPAD_LEFT: "assist",
     pygame.CONTROLLER_BUTTON_DPAD_DOWN: "save",
     pygame.CONTROLLER_BUTTON_DPAD_UP: "load",
     pygame.CONTROLLER_BUTTON_DPAD_RIGHT: "watch",

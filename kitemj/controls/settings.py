@@ -18,6 +18,8 @@ from kitemj.physics.quantity import Quantity
 from kitemj.physics.shaping import StickLaw
 
 LAWS = {law.name.lower(): law for law in StickLaw}
+ASSISTS = ("lessons", "always", "never")
+"""When a flight begins with the assist on: while there are lessons, always, never."""
 
 
 class Feel(NamedTuple):
@@ -36,11 +38,12 @@ class Invert(NamedTuple):
 
 
 class Settings(NamedTuple):
-    """`pads` holds layouts by SDL's GUID of the pad; `sound` means rumble too."""
+    """`assist`: one of `ASSISTS`; `sound` means rumble too; `pads` by SDL's GUID of the pad."""
 
     feel: Feel = Feel()
     law: StickLaw = StickLaw.ANGLE
     invert: Invert = Invert()
+    assist: str = ASSISTS[0]
     sound: bool = True
     pads: Mapping[str, Layout] = {}
 
@@ -51,6 +54,7 @@ NEW_FILE = """\
 # expo = 0             # 0 to 1; more is gentler in the middle
 # law = "angle"        # or "rate" or "acceleration": what the stick asks for at the start
 # two_sticks = false   # true: each stick holds one line
+# assist = "lessons"   # or "always" or "never": when a flight begins with the assist on
 # invert = { steer = false, reel = false }
 # sound = true         # false: begins without sound and rumble; a key in flight changes it
 """
@@ -80,13 +84,17 @@ def settings_or_defaults(path: Path | None = None) -> tuple[Settings, str]:
 
 def settings_of(tables: Mapping[str, Any], where: str) -> Settings:
     """The settings of a file's tables; `where` names the file in messages."""
-    check_keys(tables, [*Feel._fields, "law", "invert", "sound", "pads"], "", where)
+    check_keys(tables, [*Feel._fields, "law", "assist", "invert", "sound", "pads"], "", where)
     law = law_of(tables.get("law", "angle"), where)
+    assist = tables.get("assist", ASSISTS[0])
+    if assist not in ASSISTS:
+        raise InputError(f"assist must be one of {', '.join(ASSISTS)}, got {assist!r} ({where})")
     pads = table_of(tables.get("pads", {}), "pads", where)
     return Settings(
         checked(Feel, {key: tables[key] for key in Feel._fields if key in tables}, "", where),
         law,
         checked(Invert, table_of(tables.get("invert", {}), "invert", where), "invert", where),
+        assist,
         flag_of(tables.get("sound", True), "sound", where),
         {guid: layout_of(table, f"pads.{guid}", where) for guid, table in pads.items()},
     )

@@ -4,6 +4,7 @@ from typing import Protocol
 
 import pygame
 
+from kitemj.controls.held_keys import HeldKeys
 from kitemj.controls.notices import Notices
 from kitemj.controls.pads import Pads
 from kitemj.controls.programmed import show
@@ -13,14 +14,13 @@ from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import StickLaw
-from kitemj.pilots.manoeuvres import Pilot
+from kitemj.pilots.manoeuvres import Pilot, turns
 from kitemj.pilots.show import Show
 
 ASKS = ("an angle δ, to which the hands go", "a rate of δ", "an acceleration of δ")
 """What each law means, in words."""
-
-USUAL = 0.4
-"""Of the full way: keys; with Shift they ask for all of it, which few kites forgive for long."""
+ASSIST = "the assist flies: the stick asks for turns; hands off, it flies to the top"
+NO_ASSIST = "there is no assist for this kite, which drifts and does not turn"
 
 
 class Stick(Protocol):
@@ -44,19 +44,15 @@ class PilotStick:
 
 
 def show_of(parameters: Parameters) -> Stick:
-    """The pilot of a show for a kite that turns, else a programmed stick.
-
-    A kite turns to the hand that pulls unless its set says that it drifts away from it.
-    """
-    return show(parameters) if parameters.stick.mirrored else PilotStick(Show())
+    """The pilot of a show for a kite that turns, else a programmed stick."""
+    return PilotStick(Show()) if turns(parameters) else show(parameters)
 
 
 class PersonStick:
     """Held keys, the mouse with its button held, and the pad that was moved last.
 
-    Whatever of these is away from its centre steers, in that order. `law` and `two_sticks`
-    may be changed in flight. Keys ask for their way at once: the limits on how fast and
-    how suddenly lines move make that a ramp, so a short press is a small deflection.
+    Whatever of these is away from its centre steers, in that order. `law`, `two_sticks` and
+    `assist`, whether the assist flies what the stick asks for, may be changed in flight.
 
     Needs pygame's display module; `handle` is to see every event.
     """
@@ -65,7 +61,8 @@ class PersonStick:
         self.law, self.two_sticks = settings.law, settings.feel.two_sticks
         self.notices = Notices()
         self._parameters = parameters
-        self._pads = Pads(settings, self.notices)
+        self.assist = settings.assist == "always" and turns(parameters)
+        self._keys, self._pads = HeldKeys(), Pads(settings, self.notices)
         self._mouse: float | None = None
 
     def close(self) -> None:
@@ -75,7 +72,7 @@ class PersonStick:
     @property
     def name(self) -> str:
         """The name of what steers at present."""
-        if any(_held_keys()):
+        if self._keys.any_held:
             return "keys"
         if self._mouse is not None:
             return "mouse"
@@ -108,8 +105,12 @@ class PersonStick:
         self._pads.rumble(low, high)
 
     def change(self, what: str) -> None:
-        """Changes to the next "law", or to a stick for each line and back ("two sticks")."""
-        if what == "law":
+        """Changes to the next "law"; "two sticks" and "assist" go on and off."""
+        if what == "assist":
+            self.assist = turns(self._parameters) and not self.assist
+            said = ASSIST if self.assist else "the assist is off: the stick moves the lines"
+            self.notices.say(said if turns(self._parameters) else NO_ASSIST)
+        elif what == "law":
             self.law = StickLaw((self.law + 1) % len(StickLaw))
             self.notices.say(f"the stick asks for {ASKS[self.law]}")
         else:
@@ -121,22 +122,6 @@ class PersonStick:
         """The command of keys, mouse or pad now."""
         at = self._mouse or 0.0
         mouse = Deflections(at, 0.0, -at, at)
-        ways = zip(_held_keys(), mouse, self._pads.hands(), strict=True)
+        ways = zip(self._keys.hands(), mouse, self._pads.hands(), strict=True)
         hands = Deflections(*(keys or mouse or pad for keys, mouse, pad in ways))
         return command_of(hands, self._parameters, self.law, self.two_sticks)
-
-
-def _held_keys() -> Deflections:
-    """Arrows or A D W S for one stick; W S for the left line, ↑ ↓ for the right one."""
-    held = pygame.key.get_pressed()
-    full = 1.0 if pygame.key.get_mods() & pygame.KMOD_SHIFT else USUAL
-
-    def between(less: tuple[int, ...], more: tuple[int, ...]) -> float:
-        return full * (any(held[key] for key in more) - any(held[key] for key in less))
-
-    return Deflections(
-        steer=between((pygame.K_LEFT, pygame.K_a), (pygame.K_RIGHT, pygame.K_d)),
-        reel=between((pygame.K_DOWN, pygame.K_s), (pygame.K_UP, pygame.K_w)),
-        left=between((pygame.K_w,), (pygame.K_s,)),
-        right=between((pygame.K_UP,), (pygame.K_DOWN,)),
-    )

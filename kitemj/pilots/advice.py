@@ -12,12 +12,14 @@ from kitemj.pilots.sight import LEFT, RIGHT, WORDS, Observation, turned
 
 LONG = 0.8
 """s; a stick held nearly full for so long is a loop, and after that the ground."""
-AHEAD = 0.6
-"""s; tried with pupils who do what is said 0.1, 0.25 and 0.4 s later."""
-GAIN = 6.0
-"""m/s of air for each rad of error, as the pilots'."""
-LITTLE, MUCH = 0.15, 0.5
-"""Of the stick's way: less is not worth a word, more is not a little."""
+LATE = 0.8
+"""s; what is said is read and done so much later."""
+AHEAD = 0.4
+"""s; and so much later the kite has answered."""
+TURN = 2.5
+"""rad/s of the nose for a full push, by and by."""
+NEAR, FAR = radians(20.0), radians(45.0)
+"""Of the nose by then: less is not worth a word, more is not a little."""
 SOME, MORE = 0.2, 0.4
 """Of the stick's way: what is meant by a little, and by a push."""
 LEAN = radians(35.0)
@@ -36,19 +38,24 @@ class Advice(NamedTuple):
 
 
 def stick(look: Observation, wish: float, about: float = 0.0) -> Advice:
-    """How to turn the nose to `wish` [rad], the way round that is nearest to `about`."""
-    error = turned(wish - look.sight.heading, about) - AHEAD * look.sight.turning
-    push = GAIN * error / max(look.motion.air.speed, 5.0)
-    if abs(push) < LITTLE:
+    """How to turn the nose to `wish` [rad], the way round that is nearest to `about`.
+
+    Back from there, up, the assist turns it by itself.
+    """
+    coming = AHEAD * look.sight.turning + TURN * look.said
+    soon = turned(wish - look.sight.heading, about) - coming
+    side = RIGHT if soon > 0 else LEFT
+    if abs(soon) < NEAR or (look.assist and side * wish <= 0.0):
         return Advice("Let go", 0.0)
-    side = RIGHT if push > 0 else LEFT
-    if abs(push) < MUCH:
+    if abs(soon) < FAR:
         return Advice(f"Push the stick a little {WORDS[side]}", SOME * side)
     return Advice(f"Push the stick {WORDS[side]}", MORE * side)
 
 
 def up(look: Observation) -> Advice:
-    """How to turn the nose up, leaning to the middle."""
+    """How to turn the nose up, leaning to the middle; the assist does it by itself."""
+    if look.assist:
+        return Advice("Let go", 0.0)
     return stick(look, max(-LEAN, min(LEAN, -0.4 * look.sight.azimuth)))
 
 

@@ -1,13 +1,15 @@
 """The first-flight course: which lesson is flown, what is to be done now, which are passed."""
 
+from collections import deque
 from collections.abc import Callable, Collection
+from itertools import pairwise
 from math import inf, pi
 from typing import NamedTuple
 
-from kitemj.dynamics.motion import Motion, State
+from kitemj.dynamics.motion import Motion
 from kitemj.flight.equilibrium import equilibrium_state
 from kitemj.physics.parameters import Parameters
-from kitemj.pilots.advice import Advice
+from kitemj.pilots.advice import LATE, Advice
 from kitemj.pilots.crash import FirstTouch
 from kitemj.pilots.lessons import Eight, Landing, Lesson, Loop, Top, Turn
 from kitemj.pilots.sight import LEFT, RIGHT, Observer
@@ -19,8 +21,6 @@ PRAISED = 3.0
 READING = 0.4
 """s for which an advice stays at least: the kite may change faster than one reads."""
 
-ASIDE = 0.3
-"""rad; by how much η is turned to the left for a lesson that begins there."""
 NOTHING = Advice("", 0.0)
 NEVER_MIND = "Never mind, that is how one learns"
 FINISHED = "You have passed them all. The sky is yours"
@@ -29,18 +29,16 @@ FINISHED = "You have passed them all. The sky is yours"
 class Entry(NamedTuple):
     """A lesson in the course: its name in files, its title, and how an attempt begins.
 
-    `begin` is told the elevation of rest [rad]. `aside`: whether a flight begins off to the
-    left for this lesson.
+    `begin` is told the elevation of rest [rad].
     """
 
     key: str
     title: str
     begin: Callable[[float], Lesson]
-    aside: bool = False
 
 
 LESSONS = (
-    Entry("top", "Hold the top", Top, aside=True),
+    Entry("top", "Hold the top", Top),
     Entry("turn-left", "Turn left", lambda rest: Turn(LEFT)),
     Entry("turn-right", "Turn right", lambda rest: Turn(RIGHT)),
     Entry("loop-left", "A loop to the left", lambda rest: Loop(LEFT)),
@@ -92,17 +90,6 @@ class Course:
         return LESSONS[self._index] if self._index >= 0 else None
 
     @property
-    def start(self) -> State | None:
-        """Where a flight should begin for this lesson; None: anywhere."""
-        return self.starts[0] if self.lesson and self.lesson.aside else None
-
-    @property
-    def starts(self) -> tuple[State]:
-        """The one start that lessons have besides the equilibrium: off to the left."""
-        q, q_dot = self._rest
-        return (State(q._replace(eta=q.eta + ASIDE), q_dot),)
-
-    @property
     def status(self) -> LessonStatus:
         """What is to be shown now."""
         entry, total, number = self.lesson, len(LESSONS), self._index + 1
@@ -116,8 +103,8 @@ class Course:
         now = self._shown if entry else Advice(FINISHED, 0.0)
         return LessonStatus(number, total, title, now.text, now.push, progress, False)
 
-    def watch(self, motion: Motion, crashed: bool = False) -> None:
-        """The next motion; `crashed` where the caller knows of a crash."""
+    def watch(self, motion: Motion, crashed: bool = False, assist: bool = False) -> None:
+        """The next motion; `crashed` where the caller knows of a crash, `assist`: it is on."""
         if not 0 <= motion.t - self._t <= BLINK:
             self._ground = FirstTouch(self._parameters)
             self._down, self._praise = "", -inf
@@ -126,7 +113,10 @@ class Course:
         touch = self._ground.watch(motion)
         if self._down or not self._attempt:
             return
-        advice = self._attempt.watch(self._observer.look(motion)._replace(touch=touch))
+        self._said.append((motion.t, self._shown.push))
+        look = self._observer.look(motion)
+        look = look._replace(touch=touch, assist=assist, said=self._pending(motion.t))
+        advice = self._attempt.watch(look)
         self._progress = advice.progress
         if touch or crashed:
             gentle = touch is not None and touch.gentle and not crashed
@@ -151,6 +141,12 @@ class Course:
         self._praise = -inf
         self._begin()
 
+    def _pending(self, t: float) -> float:
+        """What was said within `LATE` of time `t` [s], as in `Observation`."""
+        while self._said[0][0] < t - LATE:
+            self._said.popleft()
+        return sum(push * (then - now) for (now, _), (then, push) in pairwise(self._said))
+
     def _pass(self) -> None:
         assert self.lesson
         self.passed.add(self.lesson.key)
@@ -162,4 +158,5 @@ class Course:
         rest = pi / 2 - self._rest.q.gamma
         self._attempt = self.lesson.begin(rest) if self.lesson else None
         self._observer = Observer(self._parameters)
+        self._said = deque[tuple[float, float]]()  # when, which push
         self._shown, self._since, self._progress = NOTHING, -inf, 0.0

@@ -54,6 +54,11 @@ class Touch:
         return max(self.speed, self.hardness) < SOFT
 
     @property
+    def harmless(self) -> bool:
+        """Whether nothing broke, an estimate."""
+        return max(self.speed, self.hardness) < DAMAGES[0][0]
+
+    @property
     def damage(self) -> str:
         """What broke, an estimate."""
         if self.gentle:

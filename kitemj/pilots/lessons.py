@@ -6,7 +6,8 @@ A lesson knows nothing of crashes, restarts or the other lessons; `course.py` do
 from math import asin, cos, degrees, pi, radians, sin
 from typing import NamedTuple, Protocol
 
-from kitemj.pilots.advice import MORE, SOME, Advice, completed, danger, stick, up
+from kitemj.physics.vectors import norm
+from kitemj.pilots.advice import MORE, Advice, completed, danger, stick, up
 from kitemj.pilots.sight import LEFT, RIGHT, WORDS, Held, Observation
 
 
@@ -28,49 +29,45 @@ def back(look: Observation, praise: str) -> Advice:
 
 
 class Top:
-    """From the side to the top of the window without delay, and held there.
-
-    A kite that is left alone comes back too, but slowly.
-    """
+    """Out to a side by a push, home to the top of the window, and held there."""
 
     def __init__(self, rest: float) -> None:
         """`rest` [rad]: the elevation of a kite that stands still at the top."""
         self._rest, self._held = rest, Held()
-        self._out: float | None = None  # when it was last out at the side
-        self._home = False
+        self._side, self._out, self._home = RIGHT, False, False
+        self._began = False  # near the middle: who begins aside has not flown there
 
     def watch(self, look: Observation) -> Advice:
-        """Out, home in time, held."""
-        t, azimuth = look.motion.t, degrees(abs(look.sight.azimuth))
+        """Out, home, held."""
+        azimuth = degrees(abs(look.sight.azimuth))
         high = look.sight.elevation > self._rest - radians(DEEP)
-        if azimuth > OUT:
-            self._out, self._home = t, False
-        late = self._out is None or t - self._out > IN_TIME
-        if azimuth < HOME and high and not late:
-            self._home = True
-        held = self._held.look(self._home and azimuth < NEAR and high, t)
-        way = 0.0 if late else max(0.0, 1 - azimuth / OUT)
-        progress = 0.3 + 0.7 * min(held / HOLD, 1.0) if self._home else 0.3 * way
-        advice = danger(look) or self._advice(look, late, HOLD - held)
-        return advice._replace(progress=progress)
+        self._began |= azimuth < NEAR
+        if self._began and azimuth > OUT:
+            self._out, self._home = True, False
+        self._home |= self._out and azimuth < NEAR and high
+        held = self._held.look(self._home and azimuth < NEAR and high, look.motion.t)
+        way = min(azimuth / OUT, 1.0) if self._began else 0.0
+        progress = 0.5 + 0.5 * min(held / HOLD, 1.0) if self._home else 0.4
+        advice = danger(look) or self._advice(look, HOLD - held)
+        return advice._replace(progress=progress if self._out else 0.3 * way)
 
-    def _advice(self, look: Observation, late: bool, left: float) -> Advice:
+    def _advice(self, look: Observation, left: float) -> Advice:
+        if self._began and not self._out:
+            name = WORDS[self._side]
+            advice = stick(look, self._side * SLANT)
+            return completed(advice, f"until the nose points {name}", f"it flies off {name}")
         climb = up(look)
         if self._home:
             rest = f"Hold it at the top: {max(left, 0.0):.0f} s more"
             text = f"{climb.text}: the nose must point up" if climb.push else rest
             return climb._replace(text=text)
-        if late:
-            side = LEFT if look.sight.azimuth < 0 else RIGHT
-            text = f"Push the stick a little {WORDS[side]}: out to the side first, then come back"
-            return Advice(text, SOME * side)
         return completed(climb, "until the nose points up and to the middle", "the kite flies home")
 
 
-OUT, HOME, NEAR, DEEP = 30.0, 10.0, 15.0, 10.0
-"""deg: of azimuth, out at the side, home, near enough to home; of elevation, too low."""
-IN_TIME = 3.5
-"""s from OUT to HOME; a kite that is left alone takes 5.5 s in 5 m/s, more in more."""
+OUT, NEAR, DEEP = 25.0, 15.0, 12.0
+"""deg: of azimuth, out at the side, home; of elevation, too low for the top."""
+SLANT = radians(60.0)
+"""Of the nose on the way out."""
 HOLD = 5.0
 """s."""
 
@@ -220,19 +217,31 @@ class Landing:
 
     def __init__(self) -> None:
         self._side, self._flew = RIGHT, False
+        self._hangs, self._pressed, self._t = False, 0.0, 0.0
 
     def watch(self, look: Observation) -> Advice:
-        """A gentle touch after a flight; a kite found lying on the ground has not landed."""
-        if look.touch and look.touch.gentle and self._flew:
+        """A touch that breaks nothing, after a flight: a kite found lying has not landed."""
+        if look.touch and look.touch.harmless and self._flew:
             return Advice("Landed", 0.0, 1.0)
         self._flew |= look.touch is None
+        if look.assist:
+            return Advice("The assist lets no kite land. Switch it off: press H", 0.0)
         azimuth, elevation = degrees(look.sight.azimuth), degrees(look.sight.elevation)
         if self._side * azimuth < -OUT:  # the other edge is nearer
             self._side = -self._side
         way, high = self._side * azimuth / EDGE, min(max(elevation / EDGE, 0.0), 1.0)
-        if way < 1:
-            return self._out(look)._replace(progress=0.6 * max(way, 0.0))
+        still = self._side * azimuth > OUT and norm(look.motion.body.v_G_E) < STILL
+        self._hangs = (self._hangs or still) and self._side * azimuth > OUT
+        self._press(look)
+        if way < 1 and not self._hangs:
+            return self._out(look)._replace(progress=0.6 * min(max(way, 0.0), 1.0))
         return self._down(look)._replace(progress=0.95 - 0.35 * high)
+
+    def _press(self, look: Observation) -> None:
+        """A kite that rights itself hangs at the edge: its nose is pressed down until it sinks."""
+        since, self._t = look.motion.t - self._t, look.motion.t
+        more = PRESS * (SINKING - look.motion.body.v_G_E.z) * since
+        self._pressed = max(0.0, min(DEEPEST, self._pressed + more)) if self._hangs else 0.0
 
     def _out(self, look: Observation) -> Advice:
         if look.falling:
@@ -254,7 +263,7 @@ class Landing:
     def _sinking(self, look: Observation, to: float) -> Advice:
         """Out of the window, the nose as far below the horizontal as it is above `to` [deg]."""
         below = 0.6 * (look.sight.elevation - radians(to))
-        below = max(-CLIMB, min(SINK, below))
+        below = max(-CLIMB, min(SINK, below)) + self._pressed
         return stick(look, self._side * (pi / 2 + below), self._side * pi / 4)
 
 
@@ -262,3 +271,7 @@ EDGE, WAY = 64.0, 28.0
 """deg: azimuth beyond which the pull fades; elevation of the way there."""
 SINK, CLIMB = 0.2, 0.5
 """rad; of the nose below and above the horizontal, at most. Steeper is no landing any more."""
+STILL = 1.0
+"""m/s; a kite of much drag hangs at its edge."""
+SINKING, PRESS, DEEPEST = 1.0, 0.3, 1.2
+"""m/s down at the edge; rad/s of the nose for each m/s that is missing, and rad at most."""

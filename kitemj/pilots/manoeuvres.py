@@ -11,6 +11,7 @@ from typing import Protocol
 
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
+from kitemj.physics.parameters import Parameters
 from kitemj.pilots.sight import Twist, sight, turned
 
 
@@ -31,6 +32,11 @@ def steer(motion: Motion, error: float) -> Command:
     """The stick for a nose that is to turn right by `error` [rad]."""
     wish = (GAIN * error - EASE * sight(motion).turning) / max(motion.air.speed, 1.0)
     return Command(max(-1.0, min(1.0, wish)))
+
+
+def turns(parameters: Parameters) -> bool:
+    """Whether the kite turns to the hand that pulls; one that is `mirrored` drifts away from it."""
+    return not parameters.stick.mirrored
 
 
 class Hold:

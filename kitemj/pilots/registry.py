@@ -16,6 +16,7 @@ PILOTS: Registry[Callable[[], Pilot]] = Registry(
         "hold": "kitemj.pilots.manoeuvres:Hold",
         "loop": "kitemj.pilots.manoeuvres:Loop",
         "eight": "kitemj.pilots.manoeuvres:Eight",
+        "assist": "kitemj.pilots.assist:Assist",
         "land": "kitemj.pilots.manoeuvres:Land",
         "show": "kitemj.pilots.show:Show",
     },

@@ -66,7 +66,9 @@ class Observation(NamedTuple):
 
     `turned` [rad]: how far the nose has turned to the right since it last pointed up;
     `twist`: its turns to the right, not whole, since the attempt began; `pulling` [s]: for
-    how long the stick has been held nearly full; `touch`: the flight's first of the ground.
+    how long the stick has been held nearly full; `touch`: the flight's first of the ground;
+    `assist`: whether the assist flies what the stick asks for; `said` [s]: the pushes that were
+    asked for, parts of the stick's way, times how long; only those that may not be seen yet.
     """
 
     motion: Motion
@@ -75,6 +77,8 @@ class Observation(NamedTuple):
     twist: float
     pulling: float
     touch: Touch | None = None
+    assist: bool = False
+    said: float = 0.0
 
     @property
     def upright(self) -> bool:

@@ -20,10 +20,10 @@ class Rate(NamedTuple):
     rate: float
 
 
-class StartAt(NamedTuple):
-    """Which of the flight's starts the next restart goes to."""
+class Assisted(NamedTuple):
+    """Whether the assist flies what commands ask for: their δ is the hand it is told of."""
 
-    start: int
+    on: bool
 
 
 class Deed(Enum):
@@ -42,7 +42,7 @@ class Stop(NamedTuple):
     ending: str
 
 
-Wish = Begin | Rate | StartAt | Deed | Command | Stop
+Wish = Begin | Rate | Assisted | Deed | Command | Stop
 
 
 class Timekeeping(NamedTuple):

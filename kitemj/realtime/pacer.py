@@ -6,11 +6,21 @@ import sys
 import time
 from collections.abc import Callable, Iterable
 from contextlib import suppress
+from math import nan
 
 from kitemj.flight.live import TICK, Command, Saved
+from kitemj.pilots.assist import Assist
 from kitemj.pilots.crash import FirstTouch
 from kitemj.realtime.memory import peak_memory
-from kitemj.realtime.messages import Deed, Rate, StartAt, Stop, TickNews, Timekeeping, Wish
+from kitemj.realtime.messages import (
+    Assisted,
+    Deed,
+    Rate,
+    Stop,
+    TickNews,
+    Timekeeping,
+    Wish,
+)
 from kitemj.realtime.rewind import RewindHistory
 from kitemj.recording.live import LiveFlight, RecordedTick
 
@@ -34,6 +44,7 @@ class Pacer:
         tick; `tell` is told of the start and of each tick."""
         self._flight, self._wishes, self._tell = flight, wishes, tell
         self._command, self._rate, self._start = Command(), 1.0, flight.episode.start
+        self._assist, self._assisted = Assist(), False
         self._times, self._rewind = Timekeeping(), RewindHistory()
         self._ground, self._begun = FirstTouch(flight.parameters), 0.0
         self._ending: str | None = None
@@ -46,6 +57,7 @@ class Pacer:
         """
         self._see(Command())
         for tick in past:
+            self._flight.hand = tick.hand
             self._flight.fly(tick.segment, tick.command)
             self._see(tick.command)
         while self._ending is None:
@@ -69,12 +81,21 @@ class Pacer:
             self._obey()
             if not self._flying(rate):
                 break
-            self._flight.tick(self._command, due)
+            self._tick(due)
             late, gap = self._flight.lateness, self._flight.result.gap or 0.0
             lost = late if late > MAX_LAG else 0.0
             self._times = self._times.noted(late, TICK / rate, gap, lost)
             origin, k = origin + lost, k + 1
             self._see(self._command)
+
+    def _tick(self, due: float) -> None:
+        """A tick by the stick as it is now, or by what the assist makes of it."""
+        stick, hand = self._command, nan
+        if self._assisted:
+            self._assist.hand = hand = stick.delta
+            stick = self._assist.command(self._flight.result.motion)._replace(ell=stick.ell)
+        self._flight.hand = hand
+        self._flight.tick(stick, due)
 
     def _obey(self) -> None:
         """Takes in what was wished for since."""
@@ -83,8 +104,8 @@ class Pacer:
                 self._command = wish
             elif isinstance(wish, Rate):
                 self._rate = wish.rate
-            elif isinstance(wish, StartAt):
-                self._start = wish.start
+            elif isinstance(wish, Assisted):
+                self._assisted = wish.on
             elif isinstance(wish, Deed):
                 self._do(wish)
             elif isinstance(wish, Stop):
@@ -99,7 +120,7 @@ class Pacer:
             self._ground = FirstTouch(self._flight.parameters)
             self._see(Command())
         elif deed is Deed.STEP and not self._rate and not self._ground.touch:
-            self._flight.tick(self._command, time.perf_counter())
+            self._tick(time.perf_counter())
             self._see(self._command)
         elif deed is Deed.REWIND:
             self._resume(self._rewind.back(self._flight))

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Mapping
+from math import nan
 from pathlib import Path
 from types import TracebackType
 from typing import Any, NamedTuple, Self
@@ -23,12 +24,15 @@ class LiveFlight(SteeredFlight):
 
     A context manager, which closes the recording. `result` is what is known now; `lateness` [s]
     is that of the last tick; `cut`, once it is closed, whether the disk did not take all of it.
+    `hand` is for who lets an assist fly: what the person asks of it, -1..1, recorded with each
+    tick until it is set anew; not a number: the stick is the person's own.
     """
 
     _recorder: Recorder | None = None
     _due: float | None = None
     lateness = 0.0
     cut = False
+    hand = nan
 
     def __init__(
         self,
@@ -64,11 +68,13 @@ class LiveFlight(SteeredFlight):
 
     def restart(self, start: int = 0) -> TickResult:
         """Back to that of the `starts`, lines still; returns the first moment of the flight."""
+        self.hand = nan
         super().restart(start)
         return self._add(Command())
 
     def resume(self, saved: Saved) -> TickResult:
         """Back to a moment that `save` returned; begins an episode, which goes on from there."""
+        self.hand = nan
         super().resume(saved)
         return self._add(Command())
 
@@ -111,16 +117,17 @@ class LiveFlight(SteeredFlight):
         self.lateness = 0.0 if self._due is None else time.perf_counter() - self._due
         self._due = None
         if self._recorder:
-            now = self.segment.control, command, self.result, self.lateness
+            now = self.segment.control, command, self.result, self.lateness, self.hand
             self._recorder.add(Tick(self.episode, self.ticks, *now))
         return self.result
 
 
 class RecordedTick(NamedTuple):
-    """A tick of the past: what the stick asked for, how the lines moved."""
+    """A tick of the past: what the stick asked for, how the lines moved, `LiveFlight.hand`."""
 
     command: Command
     segment: Segment
+    hand: float = nan
 
 
 class FlightSetup(NamedTuple):

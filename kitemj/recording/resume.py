@@ -7,7 +7,7 @@ from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control, Segment, Sines
 from kitemj.recording.file import Recording
 from kitemj.recording.live import FlightSetup, RecordedTick
-from kitemj.recording.table import STEERING, STICK
+from kitemj.recording.table import HAND, STEERING, STICK
 
 
 def resume_point(recording: Recording, at: float | None = None) -> FlightSetup:
@@ -29,7 +29,8 @@ def resume_point(recording: Recording, at: float | None = None) -> FlightSetup:
         Segment(max(k - 1, 0) * tick, Control(*control))
         for k, control in enumerate(zip(*controls, strict=True))
     ]
-    ticks = tuple(RecordedTick(*both) for both in zip(commands, segments, strict=True))[1:]
+    hands = recording.columns[HAND][rows].tolist()
+    ticks = tuple(RecordedTick(*each) for each in zip(commands, segments, hands, strict=True))[1:]
     header, first = recording.header, segments[0].control
     held = Sines(ell=first.ell, delta=first.delta)
     times = Times(duration=60.0)  # a live flight has no end

@@ -7,12 +7,14 @@ from kitemj.errors import InputError
 from kitemj.physics.rig import Rig
 from kitemj.physics.shaping import StickLaw
 from kitemj.recording.header import Header, to_json
-from kitemj.recording.table import ATTITUDE, LIMITS, PLACE, REFERENCE, Columns, all_columns
+from kitemj.recording.table import ATTITUDE, HAND, LIMITS, PLACE, REFERENCE, Columns, all_columns
 
 HEADER_KEY = b"kitemj"
 """Under which the header stands in the schema's metadata, as JSON."""
-SOMETIMES = (*REFERENCE, "gap_m")
-"""Columns that are not a number where there is no reference."""
+SOMETIMES = (*REFERENCE, "gap_m", HAND)
+"""Columns that are not a number where there is no reference, or no assist."""
+LATER = (HAND,)
+"""Columns that recordings of this format did not have at first: without them there was none."""
 BEYOND = 1e9
 """In any unit; a flight that comes near has diverged long before."""
 ROUNDING = 1e-6
@@ -34,6 +36,9 @@ def checked_columns(table: pa.Table, header: Header, rig: Rig, source: str) -> C
     columns = {}
     for name, kind in _kinds(rig).items():
         found = [field for field in table.schema if field.name == name]
+        if not found and name in LATER:
+            columns[name] = np.full(len(table), np.nan)
+            continue
         if not found:
             raise InputError(f"{source} lacks the column {name}: another version wrote it")
         if len(found) > 1:
@@ -106,6 +111,7 @@ def _check_motions(columns: Columns, header: Header, source: str) -> None:
     laws = ", ".join(str(int(law)) for law in StickLaw)
     for right, what in (
         (late < ROUNDING, f"t_s is not that of its tick of {1e3 * header.tick:g} ms"),
+        (~(np.abs(columns[HAND]) > 1.0), f"{HAND} is not in -1..1"),
         (np.isin(columns["stick_law"], list(StickLaw)), f"stick_law is none of {laws}"),
         (_are_rotations(columns, ATTITUDE), "R_BE is no rotation"),
         (followed == reference.all(axis=0), "half a reference stands"),

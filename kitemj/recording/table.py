@@ -50,7 +50,10 @@ STEERING = (
 REFERENCE = ("ref_x_E_m", "ref_y_E_m", "ref_z_E_m", *(f"ref_{name}" for name in ATTITUDE))
 """Where the reference was; not a number where it is not valid."""
 
-TICK_NUMBERS = (*STICK, *STEERING, *REFERENCE, "gap_m", "lateness_s")
+HAND = "assist_hand"
+"""What a person asked of the assist that moved the stick, -1..1; not a number where none did."""
+
+TICK_NUMBERS = (*STICK, *STEERING, *REFERENCE, "gap_m", "lateness_s", HAND)
 """Of one tick, beside its motion."""
 LIMITS = tuple(limit.name for limit in RECORDED)
 """Whether the instant is beyond this limit of validity; the order says which is told first."""
@@ -72,7 +75,10 @@ MOTION, ALL = motion_columns(TWO_LINES), all_columns(TWO_LINES)
 
 
 class Tick(NamedTuple):
-    """What one tick leaves behind; `control` is that of its segment, `lateness` in s."""
+    """What one tick leaves behind; `control` is that of its segment, `lateness` in s.
+
+    `hand`: what was asked of the assist whose `command` this is; not a number: there was none.
+    """
 
     episode: Episode
     tick: int
@@ -80,6 +86,7 @@ class Tick(NamedTuple):
     command: Command
     result: TickResult
     lateness: float
+    hand: float = nan
 
 
 def motion_row(motion: Motion) -> list[float]:
@@ -121,4 +128,4 @@ def _numbers(tick: Tick) -> list[float]:
         where = (*p, *R.x, *R.y, *R.z)
     gap = nan if result.gap is None else result.gap
     steering = (*tick.command, *tick.control)
-    return [*motion_row(result.motion), *steering, *where, gap, tick.lateness]
+    return [*motion_row(result.motion), *steering, *where, gap, tick.lateness, tick.hand]

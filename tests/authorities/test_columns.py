@@ -44,6 +44,7 @@ COLUMNS = {
     **{"delta_rad": 4.0, "delta_dot_rad_s": 5.0, "delta_ddot_rad_s2": 6.0},
     **{"stick_delta": -0.25, "stick_ell": 0.75, "stick_law": 2.0, "lateness_s": 0.125},
     **{"leg": 3.0, "tick": 17.0, "parent": 1.0, "start": 0.0, "gap_m": 0.5},
+    **{"assist_hand": 0.375},
     **{"ref_x_E_m": -1.0, "ref_z_E_m": -3.0, "ref_R_BE_yx": 21.0},
 }
 
@@ -53,7 +54,7 @@ def recorded(now=NOW):
     now = now._replace(q=(0.0, 0.0, 0.0, 0.0))
     result = TickResult(now, now, 0.0, 0.5, None)
     command = Command(-0.25, 0.75, StickLaw.ACCELERATION)
-    return table(LAKSA, [Tick(Episode(3, 1, 0), 17, HANDS, command, result, 0.125)])
+    return table(LAKSA, [Tick(Episode(3, 1, 0), 17, HANDS, command, result, 0.125, 0.375)])
 
 
 def test_every_column_holds_what_its_name_says():

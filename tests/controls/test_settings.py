@@ -33,6 +33,7 @@ dead_zone = 0.2  # worn
 expo = 0.5
 two_sticks = true
 law = "rate"
+assist = "never"
 invert = { reel = true }
 """
 
@@ -56,7 +57,7 @@ def test_the_file_is_where_the_system_keeps_such_files(monkeypatch, tmp_path):
 def test_a_whole_file(path):
     path.write_text(WHOLE)
     assert read_settings(path) == Settings(
-        Feel(0.2, 0.5, True), StickLaw.RATE, Invert(False, True), True, {}
+        Feel(0.2, 0.5, True), StickLaw.RATE, Invert(False, True), "never", True, {}
     )
 
 
@@ -70,6 +71,7 @@ def test_a_whole_file(path):
         ("two_sticks = 1", "two_sticks must be true or false, got 1"),
         ('law = "speed"', "law must be one of angle, rate, acceleration, got 'speed'"),
         ("law = [1]", "law must be one of angle, rate, acceleration, got [1]"),
+        ('assist = "yes"', "assist must be one of lessons, always, never, got 'yes'"),
         ("deadzone = 0.1", "deadzone is not known: did you mean 'dead_zone'?"),
         ("invert = { stear = true }", "invert.stear is not known: did you mean 'steer'?"),
         ("invert = true", "invert must be a table, got True"),
@@ -112,7 +114,7 @@ def test_a_new_file_tells_the_defaults(path):
     assert path.read_text().startswith(NEW_FILE)
     told = "\n".join(line.removeprefix("# ") for line in NEW_FILE.splitlines()[1:])
     assert settings_of(tomllib.loads(told), "the new file") == Settings()
-    assert set(tomllib.loads(told)) == {*Feel._fields, "law", "invert", "sound"}
+    assert set(tomllib.loads(told)) == {*Feel._fields, "law", "assist", "invert", "sound"}
 
 
 def test_a_folder_is_made_and_a_link_stays_a_link(tmp_path):

@@ -5,6 +5,7 @@ from pathlib import Path
 import pygame
 import pytest
 
+from kitemj.controls.held_keys import BACK, LONGEST, RISE, USUAL, HeldKeys
 from kitemj.controls.pads import events
 from kitemj.controls.programmed import (
     ProgrammedStick,
@@ -13,7 +14,7 @@ from kitemj.controls.programmed import (
     show,
 )
 from kitemj.controls.settings import Feel, Settings
-from kitemj.controls.stick import USUAL, PersonStick, PilotStick
+from kitemj.controls.stick import PersonStick, PilotStick
 from kitemj.controls.stick_mapping import Deflections, command_of, one_line_each
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK, Command, SteeredFlight
@@ -59,21 +60,67 @@ def desk(monkeypatch):
     pygame.display.quit()
 
 
+class Clock:
+    """Wall time [s] that passes when the test says so."""
+
+    def __init__(self):
+        self.now = 0.0
+
+    def __call__(self):
+        return self.now
+
+
+def seated(settings=Settings(), parameters=SPORT):  # noqa: B008
+    """A person whose keys have a clock of the test's."""
+    person = PersonStick(settings, parameters)
+    person.clock = Clock()
+    person._keys = HeldKeys(person.clock)
+    return person
+
+
+def after(person, seconds, frames=30):
+    """The command after so long [s], looked at in each of so many frames."""
+    for _ in range(frames):
+        person.clock.now += seconds / frames
+        command = person.command(None)
+    return command
+
+
 @pytest.fixture
 def person(desk):
-    person = PersonStick(Settings(), SPORT)
+    person = seated()
     yield person
     person.close()
 
 
 def test_keys_steer_while_they_are_held(person, desk):
     desk.update({pygame.K_d, pygame.K_DOWN})
-    assert person.command(None) == Command(USUAL, -USUAL)
+    assert after(person, 1.0) == Command(USUAL, -USUAL)
     assert person.name == "keys"
     desk.add(pygame.K_LSHIFT)
-    assert person.command(None) == Command(1.0, -1.0)
+    assert after(person, 1.0) == Command(1.0, -1.0)
     desk.clear()
-    assert person.command(None) == Command(0.0, 0.0)
+    assert after(person, 1.0) == Command(0.0, 0.0)
+
+
+@pytest.mark.parametrize("frames", [3, 4, 7, 30])
+def test_a_key_is_a_ramp_at_every_frame_rate(person, desk, frames):
+    """Half of the way in half of the time; back at once; the other way through the centre."""
+    desk.add(pygame.K_RIGHT)
+    assert after(person, RISE / 2, frames).delta == pytest.approx(USUAL / 2)
+    assert after(person, RISE / 2, frames).delta == pytest.approx(USUAL)
+    desk.clear()
+    assert after(person, BACK / 2, frames).delta == pytest.approx(USUAL / 2)
+    desk.add(pygame.K_LEFT)
+    turned = after(person, BACK / 2 + RISE / 4, frames).delta
+    assert turned == pytest.approx(-USUAL / 4)
+    desk.add(pygame.K_LSHIFT)
+    assert after(person, RISE, frames).delta == -1.0
+
+
+def test_a_window_that_did_not_answer_moves_no_key_all_the_way(person, desk):
+    desk.add(pygame.K_RIGHT)
+    assert after(person, 10.0, frames=1).delta == pytest.approx(USUAL * LONGEST / RISE)
 
 
 def test_held_keys_go_before_the_pad_and_give_the_kite_back(person, desk):
@@ -82,9 +129,9 @@ def test_held_keys_go_before_the_pad_and_give_the_kite_back(person, desk):
     for event in events():
         person.handle(event)
     desk.add(pygame.K_RIGHT)
-    assert person.command(None).delta == USUAL
+    assert after(person, 1.0).delta == USUAL
     desk.clear()
-    assert person.command(None).delta == -1.0
+    assert after(person, 1.0).delta == -1.0
 
 
 def mouse(kind, x, **more):
@@ -115,7 +162,7 @@ def test_a_window_that_loses_focus_lets_go_of_the_mouse(person):
 def test_the_law_may_change_in_flight(person, desk):
     desk.add(pygame.K_RIGHT)
     person.law = StickLaw.ACCELERATION
-    assert person.command(None) == Command(USUAL, 0.0, StickLaw.ACCELERATION)
+    assert after(person, 1.0) == Command(USUAL, 0.0, StickLaw.ACCELERATION)
 
 
 def test_settings_say_how_a_flight_begins(desk):
@@ -124,13 +171,34 @@ def test_settings_say_how_a_flight_begins(desk):
     person.close()
 
 
+def test_the_assist_goes_on_and_off_and_says_so(person):
+    assert not person.assist
+    person.change("assist")
+    assert person.assist
+    assert person.message.startswith("the assist flies")
+    person.change("assist")
+    assert not person.assist
+    assert "the stick moves the lines" in person.message
+
+
+def test_a_kite_that_drifts_has_no_assist(desk):
+    person = seated(Settings(assist="always"), THESIS)
+    assert not person.assist
+    person.change("assist")
+    assert not person.assist
+    assert "no assist for this kite" in person.message
+    person.close()
+
+
 def test_keys_of_each_hand_pull_a_line(person, desk):
     person.two_sticks, person.law = True, StickLaw.RATE
     desk.add(pygame.K_s)  # the left hand pulls: A₊ comes nearer
-    assert person.command(None) == one_line_each(SPORT, USUAL, 0.0)
+    half = one_line_each(SPORT, USUAL / 2, 0.0)
+    assert after(person, RISE / 2)[:2] == pytest.approx(half[:2])
+    assert after(person, 1.0) == one_line_each(SPORT, USUAL, 0.0)
     desk.clear()
     desk.add(pygame.K_UP)  # the right hand gives line
-    assert person.command(None) == one_line_each(SPORT, 0.0, -USUAL)
+    assert after(person, 1.0) == one_line_each(SPORT, 0.0, -USUAL)
     assert person.command(None).law is StickLaw.ANGLE
 
 
@@ -168,9 +236,9 @@ def test_a_mirrored_kite_goes_where_the_stick_points(desk):
     """But two sticks are two hands, and a pilot knows the kite."""
     assert THESIS.stick.mirrored
     assert not SPORT.stick.mirrored
-    person = PersonStick(Settings(), THESIS)
+    person = seated(parameters=THESIS)
     desk.add(pygame.K_RIGHT)
-    assert person.command(None).delta == -USUAL
+    assert after(person, 1.0).delta == -USUAL
     person.close()
     table = [Row(0.0, 0.5)]
     assert ProgrammedStick(table, THESIS).command(At(1.0)).delta == -0.5

@@ -7,16 +7,18 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.live import Command
 from kitemj.flight.scenario import scenario_of
-from kitemj.realtime.messages import Deed, Rate
+from kitemj.realtime.messages import Assisted, Deed, Rate
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
 from kitemj.recording.live import FlightSetup
 from kitemj.recording.replay import replay
+from kitemj.recording.resume import resume_point
 
 pytestmark = pytest.mark.alone
 SCENARIO = scenario_of({"set": "sport", "duration": 60.0}, "test")
@@ -88,6 +90,30 @@ def test_recording_is_that_of_the_flight(tmp_path):
     assert recording.ending == "left by the pilot"
     assert recording.columns["x_E_m"][20] == heard[20].result.motion.body.p_G_E.x
     assert replay(recording, "mujoco").identical
+
+
+def test_the_assist_flies_each_tick_and_the_recording_says_so(tmp_path):
+    physics = FlightProcess(setup(tmp_path / "x.arrows"))
+    physics.wait()
+    physics.start()
+    physics.ask(Command(0.4))
+    until(lambda news: len(news) > 20, physics)
+    physics.ask(Assisted(True))
+    until(lambda news: len(news) > 60, physics)
+    physics.ask(Assisted(False))
+    until(lambda news: len(news) > 20, physics)
+    physics.stop("left by the pilot")
+    recording = read_recording(tmp_path / "x.arrows")
+    stick, hand = recording.columns["stick_delta"][5:], recording.columns["assist_hand"][5:]
+    on = np.isfinite(hand)
+    assert on.any()
+    assert np.diff(on.astype(int)).tolist().count(1) == 1, "on once"
+    assert set(hand[on]) == {0.4}
+    assert set(stick[~on]) == {0.4}
+    assert len(set(stick[on])) > 20, "moved by the assist at each tick"
+    assert replay(recording, "mujoco").identical
+    past = [tick.hand for tick in resume_point(recording).past]
+    assert np.array_equal(past, recording.columns["assist_hand"][1:], equal_nan=True)
 
 
 def test_a_flight_that_ends_from_outside_is_a_sentence(flying):

@@ -29,6 +29,10 @@ def test_it_opens_with_all_its_ticks(recording):
     )
 
 
+def test_nobody_was_helped_before_there_was_an_assist(recording):
+    assert np.isnan(recording.columns["assist_hand"]).all()
+
+
 def test_it_replays(recording):
     again = replay(recording, recording.header.model)
     assert again.note == ""

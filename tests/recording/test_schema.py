@@ -89,6 +89,8 @@ def test_columns_of_wrong_types_and_numbers(table, refusal):
     assert "lacks the column ell_m" in refusal(table.drop_columns(["ell_m"]))
     laws = np.where(tick == 2, 7.0, 0.0)
     assert "row 3 stick_law is none of 0, 1, 2" in refusal(with_column(table, "stick_law", laws))
+    hands = np.where(tick == 2, 1.5, np.nan)
+    assert "row 3 assist_hand is not in" in refusal(with_column(table, "assist_hand", hands))
     assert "row 1 R_BE is no rotation" in refusal(with_column(table, "R_BE_xx", 2.0 * x))
     assert "ref_R_BE is no rotation" in refusal(with_column(table, "ref_R_BE_xx", 2.0 * x))
     half = np.where(np.arange(len(x)) == 6, np.nan, table["ref_y_E_m"].to_numpy())
