@@ -2,7 +2,8 @@
 
 The words are those of a teacher beside a beginner: which way to push, how much, and until
 when. They look further ahead than a pilot's hand, since they must be read before they are
-done. Written, as the pilots are, for the set `sport` in 5 to 8 m/s.
+done: of what was said and is not yet seen in the kite they take account. Written, as the pilots
+are, for the sets `sport` and `trainer` in 5 to 8 m/s.
 """
 
 from math import radians

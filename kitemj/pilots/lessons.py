@@ -273,5 +273,5 @@ SINK, CLIMB = 0.2, 0.5
 """rad; of the nose below and above the horizontal, at most. Steeper is no landing any more."""
 STILL = 1.0
 """m/s; a kite of much drag hangs at its edge."""
-SINKING, PRESS, DEEPEST = 1.0, 0.3, 1.2
+SINKING, PRESS, DEEPEST = 1.0, 0.15, 0.6
 """m/s down at the edge; rad/s of the nose for each m/s that is missing, and rad at most."""
