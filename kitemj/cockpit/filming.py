@@ -50,7 +50,7 @@ USUAL = {
     ".webp": FilmStyle(size=(640, 360), rate=20),
     ".gif": FilmStyle(size=(480, 270), rate=12),
 }
-"""These are for pages, which are to load soon: six seconds are 2 to 3 MB."""
+"""These are for pages, which are to load soon: six seconds are some 3 MB."""
 FASTEST = 360.0
 """deg/s of an eye that goes round."""
 

@@ -111,7 +111,7 @@ def fly(
                 frames += 1
                 history.add_frame(painting, time.perf_counter() - painting)
                 first = first or time.perf_counter() - called
-            clock.tick(FRAME_RATE)
+            clock.tick(picture.rate if picture else FRAME_RATE)
     except KeyboardInterrupt:
         ending = "interrupted"  # leaving in a hurry is leaving: film and summary are complete
     finally:

@@ -24,14 +24,14 @@ from kitemj.physics.vectors import Vector, norm, plus, times
 from kitemj.physics.wind import wind_velocity
 from kitemj.scene import views
 from kitemj.scene.eye import Eye
-from kitemj.scene.quality import QualityChooser, quality_of
+from kitemj.scene.quality import HIGH, QualityChooser, quality_of
 from kitemj.scene.renderer import Renderer
 from kitemj.scene.scenery import RINGS, ring_step
 from kitemj.scene.views import Camera
 
 RING_LABELS = {"chase": 4.0, "pilot": 62.0, "side": -15.0, "top": 38.0}  # deg, right of downwind
 LEAST = (320, 180)  # px
-FRAME_RATE = 30  # frames/s that a quality must reach to be chosen
+SOFTWARE_RATE, CARD_RATE = 30, 60  # frames/s, where the processor draws, and a graphics card
 TRAIL = 5.0  # px of 720 rows
 SHORT, SUBTLE = 2.5, 0.45  # s of the trail that a pilot sees, and its opacity
 CLEAR = 0.5  # spans around the kite without a trail
@@ -43,7 +43,8 @@ class Picture(Closing):
 
     A context manager. Any thread may paint, one at a time. `depth` is a name of DEPTHS; `shown`
     holds the names among INSTRUMENTS of what the engineer's has; `whole_trail`: whether a pilot
-    sees all of the trail too. Anyone may change these between frames.
+    sees all of the trail too. Anyone may change these between frames. `rate`: frames/s that suit
+    the machine.
     """
 
     def __init__(
@@ -58,15 +59,16 @@ class Picture(Closing):
         `quality`: a name of QUALITIES; "auto" lets the first second of frames choose
         """
         _check(width, height)
-        self._chooser = QualityChooser(FRAME_RATE) if quality == "auto" else None
         self._quality = quality
         self.parameters, self.width, self.height = parameters, width, height
         self.depth, self.shown, self.whole_trail = DEPTHS[0], set(INSTRUMENTS), False
         self.eye = Eye(parameters)
         self._camera: Camera | None = None
         self._inset_camera: Camera | None = None
-        first = self._chooser.quality if self._chooser else quality_of(quality)
+        first = HIGH if quality == "auto" else quality_of(quality)
         self._renderer = Renderer(parameters, width, height, first)
+        self.rate = SOFTWARE_RATE if self._renderer.software else CARD_RATE
+        self._chooser = QualityChooser(self.rate) if quality == "auto" else None
         self._instruments = Instruments(parameters, width, height)
         self._pulls = scale_of(parameters)
 
@@ -76,6 +78,8 @@ class Picture(Closing):
         self.width, self.height, self._camera = width, height, None
         self._renderer.resize(width, height)
         self._instruments = Instruments(self.parameters, width, height)
+        if self._chooser:  # another size is another cost
+            self._chooser = QualityChooser(self.rate, self._chooser.name)
 
     @property
     def quality(self) -> str:

@@ -15,13 +15,15 @@ from kitemj.scene.quality import FILM, HIGH, Quality
 from kitemj.scene.scene import Scene
 from kitemj.scene.views import Camera
 
+LEAST_ROWS = 420  # px, below which a kite far away would be lost between the lines
+
 
 class Renderer(Closing):
     """Frames of `width` x `height` pixels of one parameter set; `scene` is what is in them.
 
-    A context manager. `quality` may be set between frames; texels and samples stay those of the
-    first. Any thread may render, one at a time. Raises `NoGraphics` where OpenGL is
-    missing.
+    A context manager. `software`: whether the processor draws. `quality` may be set between
+    frames; texels and samples stay those of the first. Any thread may render, one at a time.
+    Raises `NoGraphics` where OpenGL is missing.
     """
 
     def __init__(
@@ -29,7 +31,8 @@ class Renderer(Closing):
     ) -> None:
         self.width, self.height, self.quality = width, height, quality
         self._graphics = open_graphics(width, height)
-        if not self._graphics.software:
+        self.software = self._graphics.software
+        if not self.software:
             quality = quality._replace(samples=FILM.samples)  # it costs nothing there
         self._sampled = quality.samples > 0
         self.scene = Scene(parameters, width, height, quality)
@@ -83,7 +86,8 @@ class Renderer(Closing):
 
     def _scaled(self, side: int) -> int:
         """A length [px] of the frame in what is rendered, which may be smaller."""
-        return round(self.quality.scale * side)
+        scale = max(self.quality.scale, min(LEAST_ROWS / self.height, 1.0))
+        return round(scale * side)
 
     def resize(self, width: int, height: int) -> None:
         """Makes the next frames `width` x `height` pixels large."""

@@ -18,9 +18,11 @@ from kitemj.cockpit.film_title import with_title
 from kitemj.cockpit.filming import FilmStyle, film
 from kitemj.cockpit.parallel_painting import Stage, painted
 from kitemj.cockpit.replay_player import SPEEDS, Player
-from kitemj.cockpit.replay_slider import HINT, hints
+from kitemj.cockpit.replay_slider import HEIGHT, HINT, hints
 from kitemj.cockpit.replay_window import ReplayWindow
-from kitemj.cockpit.screens import display_found
+from kitemj.cockpit.screens import Window, display_found
+from kitemj.controls.settings import Settings
+from kitemj.controls.stick import PersonStick
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.recorded_traces import RecordedTraces
 from kitemj.drawing.text import width
@@ -298,8 +300,10 @@ def window(file, monkeypatch):
     monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
     assert display_found()
     recording = read_recording(file)
+    window = Window(640, 360 + HEIGHT, "test", PersonStick(Settings(), recording.parameters))
     with Picture(recording.parameters, 640, 360) as picture:
-        yield ReplayWindow(recording, replay(recording, "lagrange"), picture, "chase")
+        yield ReplayWindow(recording, replay(recording, "lagrange"), picture, window)
+    window.close()
     pygame.display.quit()
 
 
@@ -318,7 +322,7 @@ def test_window_answers_keys_and_mouse(window):
     assert player.t == pytest.approx(1.01)
     before = pygame.surfarray.array3d(pygame.display.get_surface())
     press(window, pygame.K_v)
-    assert window.view == "pilot"
+    assert window.view == "chase"
     after = pygame.surfarray.array3d(pygame.display.get_surface())
     assert np.abs(before.astype(int) - after).mean() > 5
     press(window, pygame.K_END)
@@ -387,12 +391,12 @@ def test_the_page_of_keys_stops_the_player(window, monkeypatch):
     assert shown[-1] > 0.0
 
 
-@pytest.mark.parametrize("room", [100, 300, 1250])
+@pytest.mark.parametrize("room", [100, 300, 2000])
 def test_hints_fit_and_begin_with_the_page_of_all_keys(room):
     line = hints(room)
     assert line.startswith("F1: all keys")
     assert width(line, HINT) <= room
-    assert ("Esc: leave" in line) == (room == 1250)
+    assert ("Esc: leave" in line) == (room == 2000)
 
 
 def test_a_flight_after_a_restart_has_no_alarm_of_the_one_before(file):

@@ -17,7 +17,7 @@ from kitemj.scene.airflow import STEP, Airflow
 from kitemj.scene.field import GUSTS, gust
 from kitemj.scene.gl import NoGraphics
 from kitemj.scene.ground import coast_distance, land
-from kitemj.scene.quality import HIGH
+from kitemj.scene.quality import HIGH, QUALITIES
 from kitemj.scene.renderer import Renderer
 from kitemj.scene.scene import Scene
 from kitemj.scene.shadow import outline
@@ -237,3 +237,18 @@ def test_the_lines_reach_over_land_and_the_sea_is_ahead(length: float) -> None:
     assert not sea[x < 0.5 * coast].any()
     green = colours[..., 1] > colours[..., 2] + 20
     assert green[x < 0].all()
+
+
+def test_a_low_quality_shows_the_same_with_fewer_pixels() -> None:
+    camera = views.chase(BESIDE, flying())
+    frames = {}
+    for name in ("low", "high"):
+        with Renderer(BESIDE, 1280, 720, SMALL) as opened:
+            opened.quality = QUALITIES[name]
+            opened.render(flying(), None, camera, forces=False)
+            frames[name] = opened.frame().astype(float)
+    assert frames["low"].shape == frames["high"].shape == (720, 1280, 3)
+    steps = {name: np.abs(np.diff(frame, axis=1)).mean() for name, frame in frames.items()}
+    assert steps["low"] < steps["high"]
+    coarse = {n: f.reshape(18, 40, 32, 40, 3).mean(axis=(1, 3)) for n, f in frames.items()}
+    assert np.abs(coarse["low"] - coarse["high"]).max() < 12, "of 255: all is in its place"
