@@ -64,9 +64,9 @@ class Top:
         return completed(climb, "until the nose points up and to the middle", "the kite flies home")
 
 
-OUT, NEAR, DEEP = 25.0, 15.0, 12.0
+OUT, NEAR, DEEP = 20.0, 15.0, 12.0
 """deg: of azimuth, out at the side, home; of elevation, too low for the top."""
-SLANT = radians(60.0)
+SLANT = radians(80.0)
 """Of the nose on the way out."""
 HOLD = 5.0
 """s."""

@@ -222,6 +222,11 @@ def test_slow_hands_that_follow_the_arrows_pass_with_the_assist(kite: str, late:
     assert course.status.progress == 1.0
 
 
+def test_in_the_weakest_wind_a_kite_that_rights_itself_gets_out_to_the_side() -> None:
+    course, _ = course_flown("trainer", WINDS[0], 0.25, assist=True, passed=KEYS[1:])
+    assert course.passed == set(KEYS)
+
+
 @pytest.mark.parametrize(("late", "wind"), [(0.25, 6.5), (0.4, 5.0), (0.6, 8.0)])
 def test_slow_hands_land_with_the_assist_switched_off_when_they_are_told_to(
     late: float, wind: float
