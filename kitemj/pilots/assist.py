@@ -40,6 +40,8 @@ DIVE = 0.35
 """1/m; of the square of the wind: what a kite gains straight down [m/s²]."""
 KEEP = 1.0
 """m for each rad/s; by so much the side is better to which the nose turns already."""
+STAY = 2.0
+"""m; and by so much that of a refusal: who changes his mind in a dive turns neither way."""
 HANDS = 1.5
 """rad/s of δ; how fast hands that pull the other way come over."""
 STEP, LONG = 0.1, 2.5
@@ -51,6 +53,7 @@ class Assist:
 
     def __init__(self) -> None:
         self.hand = 0.0
+        self._refused = 0.0  # to which side the nose was turned up just now, if it was
 
     def command(self, motion: Motion) -> Command:
         """Where the stick is now, for what is seen in `motion`."""
@@ -58,7 +61,9 @@ class Assist:
         speed = max(motion.air.speed, 1.0)
         low = {side: lowest(motion, seen, side) for side in (LEFT, RIGHT)}
         free = max(0.0, min(1.0, (max(low.values()) - CLEAR * speed) / (FADE * speed)))
-        side = RIGHT if low[RIGHT] - low[LEFT] > -KEEP * seen.turning else LEFT
+        better = low[RIGHT] - low[LEFT] + KEEP * seen.turning + STAY * self._refused
+        side = RIGHT if better > 0.0 else LEFT
+        self._refused = side if free < 1.0 else 0.0
         off = max(0.0, 1.0 - abs(self.hand) / OFF)
         rate = FULL * self.hand + off * level(seen, side)
         rate = free * rate + (1.0 - free) * side * HARD * min(1.0, abs(seen.heading))
