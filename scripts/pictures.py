@@ -38,7 +38,7 @@ from kitemj.recording.live import FlightSetup
 ROOT = Path(__file__).parent.parent
 SIZE, SMALL = (1280, 720), (960, 540)  # px
 LOOP, LOOP_AT = ROOT / "scenarios" / "loops_20m.toml", 5.4  # s
-SHOW_AT = 7.0  # s
+SHOW_AT = 6.0  # s
 LIVE = 20.0  # s
 LESSON_AT = 1.2  # s
 HARDER = 1.2
@@ -59,7 +59,7 @@ class Past(NamedTuple):
         """The last moment, from a view that has followed the flight."""
         now = self.motions[-1]
         readings = Readings(delta_command=now.control.delta, stick="programme", traces=self.traces)
-        with Picture(self.scenario.parameters, *size) as picture:
+        with Picture(self.scenario.parameters, *size, "film") as picture:
             picture.depth = depth
             look(picture, self.motions, view)
             return picture.paint(now, None, readings, view)
@@ -96,14 +96,14 @@ def save(folder: Path, name: str, frame: Frame) -> None:
 
 
 def default_view(folder: Path) -> None:
-    """Figures of eight as a pilot sees them, and the page of keys over them."""
-    scenario = scenario_of({"set": "sport", "duration": SHOW_AT + 1.0}, "figures of eight")
+    """A show seen from beside the kite and by its pilot, and the page of keys over that."""
+    scenario = scenario_of({"set": LEARNT_ON, "duration": SHOW_AT + 1.0}, "a show")
     flight, stick = SteeredFlight(scenario), show_of(scenario.parameters)
     motions = [flight.result.motion]
     while motions[-1].t < SHOW_AT - TICK / 2:
         motions.append(flight.tick(stick.command(motions[-1])).motion)
     seen = past(scenario, motions)
-    save(folder, "flight", seen.painted(SIZE))
+    save(folder, "flight", seen.painted(SIZE, "orbit"))
     save(folder, "cockpit", seen.painted(SMALL))
     with Picture(scenario.parameters, *SMALL) as picture:
         look(picture, motions, VIEWS[0])

@@ -25,10 +25,10 @@ GAP = 0.5
 
 
 class Follower(NamedTuple):
-    """How a view follows: what it aims at, the camera of an aim, and for each number of the aim
+    """How a view follows: what it aims at, and the camera of an aim.
 
-    its `rates` [1/s] (of critical damping) and `leads`: 1 keeps up with a steady motion, 0 lags
-    2/rate behind it.
+    Each number of the aim has its own of `rates` [1/s], of critical damping, and of `leads`: 1
+    keeps up with a steady motion, 0 lags 2/rate behind it.
     """
 
     aim: Callable[[Parameters, Motion], Any]

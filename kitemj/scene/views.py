@@ -218,7 +218,7 @@ class Orbit(NamedTuple):
 
 def first_orbit(parameters: Parameters) -> Orbit:
     """The orbit that begins behind the pilot's right shoulder, near the kite."""
-    return Orbit(radians(35.0), radians(20.0), 3.0 * parameters.kite.span)
+    return Orbit(radians(35.0), radians(-12.0), 3.0 * parameters.kite.span)
 
 
 def orbiting(parameters: Parameters, motion: Motion, orbit: Orbit) -> Camera:
