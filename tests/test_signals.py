@@ -5,7 +5,6 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -19,15 +18,10 @@ ROOT = Path(__file__).parents[1]
 PATIENCE = 30.0
 """s; for what takes milliseconds on a machine that has nothing else to do."""
 
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
-
-
-@pytest.fixture(autouse=True)
-def obeyed() -> Iterator[None]:
-    """What starts programs in the background may have Ctrl-C ignored."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
+pytestmark = [
+    pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals"),
+    pytest.mark.usefixtures("obeyed"),
+]
 
 
 def send(*numbers: int) -> None:

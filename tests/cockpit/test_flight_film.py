@@ -71,14 +71,13 @@ def test_a_slow_painter_leaves_out_no_frame_and_no_tick(folder, monkeypatch, cap
     assert "a second" not in said, "no frames are told of a flight that nobody saw"
 
 
+@pytest.mark.usefixtures("obeyed")
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no such signals")
 def test_ctrl_c_in_flight_leaves_a_film_of_what_was_flown(folder, monkeypatch):
-    begun, motions = time.monotonic(), painting(monkeypatch, lambda count: None)
-    polled = []
+    motions, polled = painting(monkeypatch, lambda count: None), []
     monkeypatch.setattr(Screen, "poll", lambda screen: polled.append(0) or late(len(polled)))
     late = lambda count: interrupt() if count == 12 else None  # noqa: E731
     assert main([*SHORT, "--duration", "60", "--record", "a.arrows"]) == 130
-    assert time.monotonic() - begun < 50
     recording = read_recording(folder / "a.arrows")
     assert recording.ending == "interrupted"
     frames = frames_of(folder / "a.mp4")

@@ -8,7 +8,7 @@ import pytest
 from kitemj.cockpit.fly import fly
 from kitemj.cockpit.replay_slider import HEIGHT
 from kitemj.cockpit.replay_window import ReplayWindow
-from kitemj.cockpit.screens import Window, display_found
+from kitemj.cockpit.screens import Window
 from kitemj.controls.settings import Settings
 from kitemj.controls.stick import PersonStick
 from kitemj.drawing.picture import Picture
@@ -17,9 +17,9 @@ from kitemj.flight.scenario import scenario_of
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
 from kitemj.recording.live import FlightSetup, LiveFlight
+from tests.cockpit.conftest import SIZE
 from tests.controls.virtual_pad import VirtualPad
 
-SIZE = (640, 360)
 SPORT = scenario_of({"set": "sport", "duration": 60.0}, "test")
 
 
@@ -36,17 +36,6 @@ def recording(tmp_path_factory):
         for _ in range(300):
             flight.tick(Command(0.2))
     return read_recording(path)
-
-
-@pytest.fixture
-def window(monkeypatch):
-    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
-    monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
-    assert display_found()
-    window = Window(*SIZE, "test", PersonStick(Settings(), SPORT.parameters))
-    yield window
-    window.close()
-    pygame.display.quit()
 
 
 @pytest.fixture

@@ -22,9 +22,9 @@ from kitemj.flight.scenario import scenario_of
 from kitemj.physics.parameter_files import set_names
 from kitemj.recording.live import LiveFlight
 from kitemj.recording.recorder import latest
+from tests.cockpit.conftest import SIZE
 from tests.controls.virtual_pad import VirtualPad
 
-SIZE = (640, 360)
 SPORT = scenario_of({"set": "sport", "duration": 60.0}, "test")
 
 
@@ -63,17 +63,6 @@ def test_choosing_takes_an_entry_or_turns_what_it_offers():
 
 def test_a_menu_never_marks_what_is_shut():
     assert Menu(menu().entries, 1).entry.key == "kite"
-
-
-@pytest.fixture
-def window(monkeypatch):
-    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
-    monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
-    assert display_found()
-    window = Window(*SIZE, "test", PersonStick(Settings(), SPORT.parameters))
-    yield window
-    window.close()
-    pygame.display.quit()
 
 
 @pytest.fixture(scope="module")
