@@ -7,6 +7,7 @@ quartiles in brackets. Writes a page of Markdown and a figure (with matplotlib).
 import argparse
 import json
 import tempfile
+from contextlib import ExitStack
 from pathlib import Path
 
 import numpy as np
@@ -232,6 +233,7 @@ def frame(rounds: int) -> list[str]:
     """A frame of the live picture, 1280 x 720, by part."""
     from kitemj.drawing import picture as pictures
     from kitemj.errors import NoGraphics
+    from kitemj.scene import renderer
 
     kites = [make_model(name, STEER.parameters) for name in ("mujoco", "lagrange")]
     for kite in kites:
@@ -241,6 +243,7 @@ def frame(rounds: int) -> list[str]:
     except NoGraphics as error:
         return [f"No frames: {error}", ""]
     spent: dict[str, float] = {}
+    plainly = ExitStack()
 
     def watched(owner, name: str, part: str) -> None:
         plain = getattr(owner, name)
@@ -252,14 +255,15 @@ def frame(rounds: int) -> list[str]:
             return results[0]
 
         setattr(owner, name, timed)
+        plainly.callback(setattr, owner, name, plain)
 
-    watched(pictures.Scene, "fill", "scene: what stands where")
-    watched(pictures.mujoco, "mjr_render", "drawing: asked for")
-    watched(pictures.mujoco, "mjr_readPixels", "drawing: done, read back")
+    watched(renderer.Scene, "fill", "scene: what stands where")
+    watched(renderer.mujoco, "mjr_render", "drawing: asked for")
+    watched(renderer.mujoco, "mjr_readPixels", "drawing: done, read back")
     watched(pictures.Picture, "_letter", "instruments and labels")
     parts: dict[str, list[float]] = {}
     motions: list[Motion] = []
-    with picture:
+    with plainly, picture:
         for i in range(10 * rounds):
             spent.clear()
             advance = seconds(lambda: [k.advance(STEER.programme, 1 / 60) for k in kites])
