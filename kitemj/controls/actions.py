@@ -63,6 +63,7 @@ HELP = (
 REPLAY_ACTIONS = (
     Action("help", "F1", "all keys"),
     Action("play", "Space", "play, pause"),
+    Action("leave", "Esc", "leave"),
     Action("back", "Left   Right", "1 s back, on; with Shift one tick"),
     Action("on", "", ""),
     Action("faster", "Up   Down", "faster, slower"),
@@ -73,7 +74,6 @@ REPLAY_ACTIONS = (
     Action("instruments", "I", "instruments"),
     Action("sound", "M", "sound"),
     Action("full screen", "F11   F", "full screen"),
-    Action("leave", "Esc", "leave"),
 )
 """What can be asked for while a recording is shown, the most needed hint first."""
 

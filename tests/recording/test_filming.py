@@ -391,12 +391,13 @@ def test_the_page_of_keys_stops_the_player(window, monkeypatch):
     assert shown[-1] > 0.0
 
 
-@pytest.mark.parametrize("room", [100, 300, 2000])
+@pytest.mark.parametrize("room", [100, 500, 2000])
 def test_hints_fit_and_begin_with_the_page_of_all_keys(room):
     line = hints(room)
     assert line.startswith("F1: all keys")
     assert width(line, HINT) <= room
-    assert ("Esc: leave" in line) == (room == 2000)
+    assert ("Esc: leave" in line) == (room >= 500)
+    assert ("full screen" in line) == (room == 2000)
 
 
 def test_a_flight_after_a_restart_has_no_alarm_of_the_one_before(file):
