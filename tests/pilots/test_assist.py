@@ -12,9 +12,9 @@ import pytest
 from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
-from kitemj.pilots.assist import FULL, Assist, wind
+from kitemj.pilots.assist import FULL, Assist, level, wind
 from kitemj.pilots.crash import FirstTouch
-from kitemj.pilots.sight import Twist, sight
+from kitemj.pilots.sight import LEFT, RIGHT, Sight, Twist, sight
 
 KITES, WINDS = ("sport", "trainer"), (5.0, 6.5, 8.0)
 STEP = 0.005
@@ -47,6 +47,13 @@ def flown(flight: SteeredFlight, hand: Hand, duration: float, late: bool = False
         if ground.watch(motions[-1]):
             break
     return motions
+
+
+@pytest.mark.parametrize("side", [LEFT, RIGHT])
+def test_a_nose_that_points_up_leans_to_the_middle(side: float) -> None:
+    aside, above = Sight(0.5 * side, 0.8, 0.0, 0.0), Sight(0.0, 0.8, 0.0, 0.0)
+    assert level(aside, RIGHT) * side < -0.1, "rad/s"
+    assert level(above, RIGHT) == 0.0
 
 
 @pytest.mark.parametrize("late", [False, True], ids=["each tick", "at frames"])
