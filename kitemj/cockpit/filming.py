@@ -64,6 +64,9 @@ def check_output(path: Path, style: FilmStyle, still: bool, overwrite: bool) -> 
         check_film(path, *style.size, style.rate)
     if not 0.0 < style.speed <= 1000.0:
         raise InputError(f"`speed` must be > 0 and <= 1000, got {style.speed:g}")
+    if style.instruments not in DEPTHS:
+        told = f"{style.instruments!r}; there are: {', '.join(DEPTHS)}"
+        raise InputError(f"there are no `instruments` {told}")
     if style.turn and style.view != "orbit":
         raise InputError(f"`turn` is for the `view` orbit, which goes round, not for {style.view}")
     if not abs(style.turn) <= FASTEST:

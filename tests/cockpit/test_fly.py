@@ -195,6 +195,14 @@ class Asked:
         self.wishes.append(wish)
 
 
+def test_a_kite_that_waits_is_silent(window, picture, monkeypatch):
+    heard = []
+    monkeypatch.setattr(window, "sense", lambda *seen: heard.append(seen[3]))
+    fly(Flown(), picture, Script(window, [(0.3, lambda: press(pygame.K_SPACE))]), 0.8)
+    assert heard[0]
+    assert not heard[-1]
+
+
 def test_f1_holds_the_flight(window, picture):
     physics = Asked()
     for expected in (0.0, 1.0):

@@ -2,12 +2,15 @@
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import dot, minus, norm
 from kitemj.scene import figure
+from kitemj.scene.cloth import Colour
 from kitemj.scene.figure import ARM, hands
+from kitemj.scene.strokes import Strokes
 from kitemj.scene.views import UP, downwind
 from tests.scene.motions import motion_at
 from tests.support import pulling
@@ -68,3 +71,26 @@ def test_arms_have_their_length() -> None:
         assert upper == pytest.approx(figure.UPPER_ARM, abs=0.01)
         assert np.linalg.norm(hand - elbow) == pytest.approx(figure.FOREARM, abs=0.1)
         assert elbow[1] > 0.1, "out"
+
+
+class Limbs(Strokes):
+    """Keeps what is drawn of a person."""
+
+    def __init__(self) -> None:
+        self.upper_arms: list[NDArray[np.float64]] = []
+
+    def egg(self, *_: object) -> None:
+        """Is no limb."""
+
+    def limb(self, ends: NDArray[np.float64], radius: float, colour: Colour) -> None:
+        """Keeps an upper arm, which is in a sleeve."""
+        if colour == figure.SHIRT:
+            self.upper_arms.append(ends)
+
+
+def test_each_arm_hangs_from_its_own_shoulder() -> None:
+    motion, drawn = motion_at(STUNT, AHEAD), Limbs()
+    figure.add_pilot(drawn, STUNT, motion)
+    to_the_left = figure._axes(STUNT, motion)[1]
+    places = [ends @ to_the_left for ends in drawn.upper_arms]
+    assert [[*np.sign(ends)] for ends in places] == [[1, 1], [-1, -1]]
