@@ -164,6 +164,11 @@ def markdown(table: Table) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
+def titled_markdown(tables: Iterable[Table]) -> str:
+    """Each table in Markdown, under its title."""
+    return "\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in tables)
+
+
 def json_text(tables: Iterable[Table], extra: Mapping[str, object]) -> str:
     """One document: the rows of each table under its title, and `extra`."""
     content = {**{table.title: table.records() for table in tables}, **extra}

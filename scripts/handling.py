@@ -40,7 +40,7 @@ from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.registry import PILOTS
 from kitemj.progress_bar import with_progress
-from kitemj.tables import Cell, Table, markdown, print_table
+from kitemj.tables import Cell, Table, print_table, titled_markdown
 from sway_yaw import levers, sway_yaw
 
 WINDS = (5.0, 6.5, 8.0)
@@ -74,9 +74,8 @@ def main() -> int:
         for table in tables:
             print_table(table)
         if args.markdown:
-            text = "\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in tables)
             with new_file(args.markdown, args.overwrite) as path:
-                path.write_text(text, encoding="utf-8")
+                path.write_text(titled_markdown(tables), encoding="utf-8")
     except InputError as error:
         print(f"handling: {error}", file=sys.stderr)
         return 2

@@ -29,7 +29,7 @@ def run(args: argparse.Namespace) -> int:
     from kitemj.flight import compare_table as as_table
     from kitemj.flight.ladder import ladder
     from kitemj.flight.scenario import read_scenario
-    from kitemj.tables import json_text, markdown, print_table
+    from kitemj.tables import json_text, markdown, print_table, titled_markdown
 
     if args.markdown:
         check_new(args.markdown, args.overwrite)
@@ -38,7 +38,7 @@ def run(args: argparse.Namespace) -> int:
         rungs = {each.source: ladder(each, args.step) for each in scenarios}
         shown = [as_table.ladder_table(*each) for each in rungs.items()]
         numbers, tolerances = as_table.ladder_numbers(rungs), {}
-        text = "\n".join(f"**{table.title}**\n\n{markdown(table)}" for table in shown)
+        text = titled_markdown(shown)
     else:
         models = args.models.split(",")
         rows = [row for each in scenarios for row in compare(each, models, step=args.step)]

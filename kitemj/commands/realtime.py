@@ -51,7 +51,7 @@ def run(args: argparse.Namespace) -> None:
     from kitemj.flight.scenario import scenario_of
     from kitemj.realtime.process import FlightProcess
     from kitemj.recording.live import FlightSetup
-    from kitemj.tables import markdown, print_table
+    from kitemj.tables import print_table, titled_markdown
     from kitemj.temporary import temporary_folder
 
     if not args.duration > 0:
@@ -78,9 +78,8 @@ def run(args: argparse.Namespace) -> None:
     for table in tables:
         print_table(table)
     if args.markdown:
-        text = "\n".join(f"{table.title}\n\n{markdown(table)}" for table in tables)
         with new_file(args.markdown, args.overwrite) as part:
-            part.write_text(text, encoding="utf-8")
+            part.write_text(titled_markdown(tables), encoding="utf-8")
 
 
 def _screen(args: argparse.Namespace, parameters: "Parameters", window: bool) -> "Screen":
