@@ -13,7 +13,7 @@ from kitemj.physics.frames import world
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import times
 from kitemj.scene.cloth import WHITE
-from kitemj.scene.field import add_field
+from kitemj.scene.gusts_and_grass import add_gusts_and_grass
 from kitemj.scene.kites import add_kites
 from kitemj.scene.landscape import add_landscape
 from kitemj.scene.model_parts import Mesh, add_mesh, add_shape, add_texture, paint_texture
@@ -46,7 +46,7 @@ def drawing_model(parameters: Parameters, width: int, height: int, quality: Qual
         castshadow=False,
     )
     pictures = add_landscape(spec, parameters, quality.texels)
-    add_field(spec, parameters)
+    add_gusts_and_grass(spec, parameters)
     _add_rings(spec, parameters.lines.length)
     add_kites(spec, parameters)
     model = spec.compile()

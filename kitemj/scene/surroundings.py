@@ -8,7 +8,7 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector
 from kitemj.scene.canopy import canopy
 from kitemj.scene.cloth import Fill
-from kitemj.scene.field import Field
+from kitemj.scene.gusts_and_grass import GustsAndGrass
 from kitemj.scene.landscape import SKY, follow
 from kitemj.scene.shadow import add_shadow, few_points
 from kitemj.scene.sun import sun
@@ -20,13 +20,13 @@ class Surroundings:
 
     def __init__(self, parameters: Parameters, model: Any) -> None:
         self._sun, self._signs = sun(parameters), WindSigns(parameters)
-        self._field = Field(parameters, model)
+        self._gusts_and_grass = GustsAndGrass(parameters, model)
         self._sky = {model.geom(name).id for name in SKY}
         self._kite = few_points(canopy(parameters.kite).shape(Fill(1.0, 1.0, 0.0)))
 
     def show_details(self, shown: bool) -> None:
         """Says whether scenes that are made from now on have grass and gusts."""
-        self._field.show(shown)
+        self._gusts_and_grass.show(shown)
 
     def add(self, mjv: Any, motion: Motion, scale: float, eye: Vector) -> None:
         """Adds them to a scene just made of `motion`, as seen from `eye` [m, E].
@@ -34,6 +34,6 @@ class Surroundings:
         Its kite is drawn `scale` times as large.
         """
         follow(mjv, self._sky, world(eye))
-        self._field.place(mjv, motion.t)
+        self._gusts_and_grass.place(mjv, motion.t)
         self._signs.add(mjv, motion.t)
         add_shadow(mjv, self._kite, motion.body, self._sun, scale)

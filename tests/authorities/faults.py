@@ -653,7 +653,7 @@ FAULTS = [
     ),
     Fault(
         "gusts that come back",
-        "scene.field",
+        "scene.gusts_and_grass",
         "ahead = first + share * (last - first)",
         "ahead = last - share * (last - first)",
         VANE,

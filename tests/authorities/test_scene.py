@@ -16,8 +16,8 @@ from kitemj.scene.airflow import Airflow
 from kitemj.scene.canopy import canopy
 from kitemj.scene.cloth import Fill
 from kitemj.scene.eye import damped
-from kitemj.scene.field import gust
 from kitemj.scene.figure import hands
+from kitemj.scene.gusts_and_grass import gust
 from kitemj.scene.shadow import outline
 from kitemj.scene.sun import sun
 from kitemj.scene.views import CAMERAS, pixel

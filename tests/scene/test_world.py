@@ -14,9 +14,9 @@ from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times
 from kitemj.physics.wind import Wind
 from kitemj.scene import views
 from kitemj.scene.airflow import STEP, Airflow
-from kitemj.scene.field import GUSTS, gust
 from kitemj.scene.gl import NoGraphics
 from kitemj.scene.ground import coast_distance, land
+from kitemj.scene.gusts_and_grass import GUSTS, gust
 from kitemj.scene.quality import HIGH, QUALITIES
 from kitemj.scene.renderer import Renderer
 from kitemj.scene.scene import Scene

@@ -33,7 +33,7 @@ BEND = 0.55  # by how much of its height grass leans in the usual wind
 GRASSES = ((0.33, 0.45, 0.17), (0.47, 0.50, 0.24), (0.29, 0.42, 0.15))  # of their tips
 
 
-def add_field(spec: Any, parameters: Parameters) -> None:
+def add_gusts_and_grass(spec: Any, parameters: Parameters) -> None:
     """Adds the shapes of gusts and clumps of grass to a drawing model."""
     half = gust_size(parameters)
     image = np.empty((64, 64, 4), np.uint8)
@@ -56,7 +56,7 @@ def add_field(spec: Any, parameters: Parameters) -> None:
         add_shape(spec.worldbody, f"clump_{kind}", name=f"clump_{number}", material=f"grass_{kind}")
 
 
-class Field:
+class GustsAndGrass:
     """Places gusts and grass in scenes of a drawing model."""
 
     def __init__(self, parameters: Parameters, model: Any) -> None:
