@@ -221,7 +221,7 @@ from kitemj.physics.wind import Wind
 none, x = Vector(0.0, 0.0, 0.0), Vector(1.0, 0.0, 0.0)
 sets = Parameters(*[Wind(5.0) for _ in Parameters._fields])
 print(air(sets, none, Rotation(x, Vector(0.0, 1.0, 0.0), Vector(0.0, 0.0, 1.0)), none, 0.0).speed)
-print(sum(air.stats.cache_hits.values()))
+print(sum(air.stats.cache_hits.values()), flush=True)  # before the child says anything
 if "--again" not in sys.argv:
     subprocess.run([sys.executable, *sys.orig_argv[1:], "--again"], check=True)
 """
