@@ -15,16 +15,18 @@ ROOMS = (
     ("flight", ("dynamics",)),
     ("pilots", ("flight",)),
     ("equilibria", ("flight",)),
-    ("studies", ("flight",)),
-    ("recording", ("flight",)),
+    ("autopilot", ("pilots", "equilibria")),
+    ("margins", ("autopilot",)),
+    ("studies", ("autopilot",)),
+    ("recording", ("autopilot",)),
     ("plots", ("recording",)),
     ("controls", ("pilots",)),
-    ("realtime", ("pilots", "recording")),
+    ("realtime", ("recording",)),
     ("scene", ("flight",)),
     ("sound", ("flight",)),
     ("drawing", ("pilots", "recording", "controls", "scene")),
     ("cockpit", ("drawing", "realtime", "plots", "sound")),
-    ("commands", ("cockpit", "plots", "equilibria", "studies")),
+    ("commands", ("cockpit", "plots", "margins", "studies")),
 )
 """Each room with those right below it; it may import these and all that they may."""
 
