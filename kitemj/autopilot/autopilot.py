@@ -2,9 +2,25 @@
 
 from math import nan
 
-from kitemj.autopilot.follow import Estimate, follow, nearest, place_of, stick_for
+from kitemj.autopilot.follow import (
+    Estimate,
+    follow,
+    learn,
+    length_of,
+    nearest,
+    nothing_learnt,
+    stick_for,
+)
+from kitemj.autopilot.gains import ACTUATOR, DAMPING, Gains
 from kitemj.autopilot.paths import path_of
-from kitemj.autopilot.sphere import ahead_of, course, direction, tangential
+from kitemj.autopilot.sphere import (
+    ahead_of,
+    azimuth_of,
+    course,
+    direction,
+    elevation_of,
+    tangential,
+)
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PilotSettings, TurnRateLaw
@@ -13,8 +29,6 @@ from kitemj.physics.shaping import StickLaw
 from kitemj.physics.vectors import Vector, norm, times
 from kitemj.pilots.sight import sight
 
-ACTUATOR, DAMPING = 15.0, 0.8
-"""rad/s, 1; the hands follow the wished δ like a damped spring, within their limits."""
 GLIDE = 3.6
 
 
@@ -26,26 +40,25 @@ class Autopilot:
     ) -> None:
         """`law`: how the kite turns; None: as in the settings, else identified."""
         self._parameters, self.settings = parameters, settings
-        self.law = law or settings.law or TurnRateLaw(0.33, 0.0, 0.3, 16.0, 2.8)
+        self.law = law or settings.law or TurnRateLaw(0.29, -3.0, 0.4, 16.0, 2.8)
+        self.gains = Gains(settings.crossover)
         self.path = path_of(settings.path, GLIDE)
         self.guided = Guided(settings.phases[0], nan, nan, nan, nan, 0.0)
-        self._progress = nan
+        self._progress, self._learnt = nan, nothing_learnt()
 
     def command(self, motion: Motion) -> Command:
         """The stick, which asks for δ̈."""
-        seen = true_estimate(motion)
-        p = direction(seen.azimuth, seen.elevation)
-        if self._progress != self._progress:
-            self._progress = nearest(self.path, p, ahead_of(p, seen.course))
-        lead = self.law.delay(max(seen.airspeed, 1.0)) + 2 * DAMPING / ACTUATOR
-        quick = self.settings.crossover / lead
-        look_ahead = max(0.05, 2.0 * seen.speed / quick)
-        asked = follow(self.path, seen, self._progress, look_ahead, lead, quick)
+        seen, limits = true_estimate(motion), self._parameters.stick
+        path, law, gains, before = self.path, self.law, self.gains, self._progress
+        if before != before:
+            p = direction(seen.azimuth, seen.elevation)
+            before = nearest(path, p, ahead_of(p, seen.course))
+        asked = follow(path, law, gains, seen, before, self._learnt, limits.delta)
+        self._learnt = learn(path, law, gains, seen, asked, asked.progress - before, self._learnt)
         self._progress = asked.progress
-        lap = asked.progress / (self.path.spacing * len(self.path.points))
-        self.guided = Guided("path", asked.error, lap, *place_of(asked.attractor), seen.twist)
-        limits = self._parameters.stick
-        wish = stick_for(self.law, seen, asked, 0.3)
+        lap, to = asked.progress / length_of(path), asked.attractor
+        self.guided = Guided("path", asked.error, lap, azimuth_of(to), elevation_of(to), seen.twist)
+        wish = stick_for(law, gains, seen, asked)
         wish = max(-limits.delta, min(limits.delta, wish))
         now = motion.control
         pull = ACTUATOR**2 * (wish - now.delta) - 2 * DAMPING * ACTUATOR * now.delta_dot

@@ -1,20 +1,31 @@
-"""How a path is followed: where on it the kite is, the attractor ahead, the turn rate asked for."""
+"""How a path is followed: where on it the kite is, the attractor ahead, the turn rate asked for.
 
-from math import atan2, cos, inf, pi
+The kite flies on the great circle to an attractor on the path ahead (Fernandes et al., Energies
+15 (2022) 1390), and its nose turns as the path turns there where it will be when the nose answers.
+What errors had to ask for in a lap is learnt as a function of the place on the path: so much the
+path itself asks for in the next.
+"""
+
+from math import atan2, cos, inf, pi, sin
 from typing import NamedTuple
 
+import numpy as np
+
+from kitemj.autopilot.gains import Gains, lead_time, turn_gain
 from kitemj.autopilot.paths import Path
-from kitemj.autopilot.sphere import (
-    ahead_of,
-    azimuth_of,
-    direction,
-    elevation_of,
-    right_of,
-    tangential,
-)
+from kitemj.autopilot.sphere import ahead_of, direction, right_of, tangential
 from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.vectors import Vector, dot, norm, plus, times
+
+HARMONICS = 5
+"""Of a lap, up to which is learnt; quicker ones the loop cannot follow in phase."""
+NEAR = 0.12
+"""rad off the path; farther away nothing is learnt, and the path's own turning fades."""
+LEAST_AIRSPEED = 1.0
+"""m/s; below that there is nothing to steer with, and nothing is divided by it."""
+LONGEST_STRIDE = 0.1
+"""rad; so far, at most, the place on the path moves at once."""
 
 
 class Estimate(NamedTuple):
@@ -35,11 +46,16 @@ class Estimate(NamedTuple):
 
 
 class Guidance(NamedTuple):
-    """What is asked for: the turn rate now and when the nose answers [rad/s], and for the record
-    the place `progress` [rad] along the path, the `error` [rad] to its right, the attractor."""
+    """What following a path asks for at an instant.
+
+    `turning`, `turning_ahead` [rad/s]: of the nose now, and when it answers; `feedback` [rad/s],
+    the part of both that errors ask for. `progress` [rad] along the path, laps included; `error`
+    [rad] to its right; `attractor`, a direction.
+    """
 
     turning: float
     turning_ahead: float
+    feedback: float
     progress: float
     error: float
     attractor: Vector
@@ -48,8 +64,7 @@ class Guidance(NamedTuple):
 @compiled
 def at(path: Path, values: Array, progress: float) -> float:
     """A column of the path at `progress` [rad], between its points."""
-    n = len(values)
-    place = progress / path.spacing
+    n, place = len(values), progress / path.spacing
     i = int(place // 1.0)
     f = place - i
     return float((1.0 - f) * values[i % n] + f * values[(i + 1) % n])
@@ -58,14 +73,18 @@ def at(path: Path, values: Array, progress: float) -> float:
 @compiled
 def vector_at(path: Path, values: Array, progress: float) -> Vector:
     """A vector of the path at `progress` [rad], between its points."""
-    n = len(values)
-    place = progress / path.spacing
+    n, place = len(values), progress / path.spacing
     i = int(place // 1.0)
     f = place - i
     a, b = values[i % n], values[(i + 1) % n]
-    return Vector(
-        (1.0 - f) * a[0] + f * b[0], (1.0 - f) * a[1] + f * b[1], (1.0 - f) * a[2] + f * b[2]
-    )
+    e = 1.0 - f
+    return Vector(e * a[0] + f * b[0], e * a[1] + f * b[1], e * a[2] + f * b[2])
+
+
+@compiled
+def length_of(path: Path) -> float:
+    """Once around [rad]."""
+    return path.spacing * len(path.points)
 
 
 @compiled
@@ -83,54 +102,109 @@ def nearest(path: Path, p: Vector, ahead: Vector) -> float:
 
 @compiled
 def advanced(path: Path, progress: float, p: Vector) -> float:
-    """`progress` [rad] of the point beside `p`, looked for from where it was: the other branch
-    of a crossing is not taken."""
+    """The progress [rad] of the point beside `p`, looked for from where it was.
+
+    That is the memory at a crossing: the other branch is not taken.
+    """
     for _ in range(3):
         apart = plus(p, times(-1.0, vector_at(path, path.points, progress)))
         along = dot(apart, vector_at(path, path.ahead, progress))
-        progress += max(-0.1, min(0.1, along))
+        progress += max(-LONGEST_STRIDE, min(LONGEST_STRIDE, along))
     return progress
 
 
 @compiled
 def follow(
-    path: Path, seen: Estimate, progress: float, look_ahead: float, lead: float, quick: float
+    path: Path,
+    law: TurnRateLaw,
+    gains: Gains,
+    seen: Estimate,
+    progress: float,
+    learnt: Array,
+    full_stick: float,
 ) -> Guidance:
     """How to follow `path` from where it was followed last, `progress` [rad].
 
-    `look_ahead` [rad] to the attractor, `lead` [s] from stick to nose, `quick` [1/s] how fast
-    errors of the course are taken away.
+    path        what is flown
+    law         how the kite turns
+    gains       of the loop
+    seen        the kite now
+    progress    [rad] where on the path it was
+    learnt      (2 HARMONICS + 1,) turning that the path asks for beside its own, of `learn`
+    full_stick  largest |δ| [rad]
     """
     p = direction(seen.azimuth, seen.elevation)
     progress = advanced(path, progress, p)
-    beside = vector_at(path, path.points, progress)
     ahead = tangential(p, vector_at(path, path.ahead, progress))
     ahead = times(1.0 / norm(ahead), ahead)
-    right = right_of(p, ahead)
-    error = dot(plus(p, times(-1.0, beside)), right)
-    flown = ahead_of(p, seen.course)
+    right, flown = right_of(p, ahead), ahead_of(p, seen.course)
+    error = dot(plus(p, times(-1.0, vector_at(path, path.points, progress))), right)
     off = atan2(dot(flown, right), dot(flown, ahead))
-    wish = -atan2(error, look_ahead)
-    wrong = (wish - off + pi) % (2 * pi) - pi
-    near = max(0.0, min(1.0, 2.0 - abs(error) / 0.2)) * max(0.0, cos(off))
-    winds = seen.speed / at(path, path.speed, progress)
+    airspeed = max(seen.airspeed, LEAST_AIRSPEED)
+    lead = lead_time(law, gains, airspeed)
+    quick = gains.crossover / lead
+    outlook = max(gains.outlook * seen.speed / quick, NEAR / 4)
+    wrong = (-atan2(error, outlook) - off + pi) % (2 * pi) - pi
+    most = gains.feedback * turn_gain(law, airspeed) * full_stick
+    feedback = max(-most, min(most, quick * wrong))
+    near = max(0.0, min(1.0, 2.0 - abs(error) / NEAR)) * max(0.0, cos(off))
     then = progress + lead * seen.speed
-    now = near * at(path, path.turning, progress) * seen.speed
-    soon = near * at(path, path.turning, then) * at(path, path.speed, then) * winds
-    attractor = vector_at(path, path.points, progress + look_ahead)
-    return Guidance(now + quick * wrong, soon + quick * wrong, progress, error, attractor)
+    soon = seen.speed * at(path, path.speed, then) / at(path, path.speed, progress)
+    now = near * seen.speed * (at(path, path.turning, progress) + taught(path, learnt, progress))
+    later = near * soon * (at(path, path.turning, then) + taught(path, learnt, then))
+    attractor = vector_at(path, path.points, progress + outlook)
+    return Guidance(now + feedback, later + feedback, feedback, progress, error, attractor)
 
 
 @compiled
-def stick_for(law: TurnRateLaw, seen: Estimate, asked: Guidance, ease: float) -> float:
-    """δ [rad] for what is asked; `ease` damps by what the nose turns already."""
-    from_weight = 0.0
-    gain = law.c1 * law.airspeed * (seen.airspeed / law.airspeed) ** law.exponent
-    turning = asked.turning_ahead - from_weight + ease * (asked.turning - seen.turning)
-    return float(turning / gain)
+def stick_for(law: TurnRateLaw, gains: Gains, seen: Estimate, asked: Guidance) -> float:
+    """δ [rad] for what is asked: the law of turning, solved for it, and eased."""
+    airspeed = max(seen.airspeed, LEAST_AIRSPEED)
+    by_weight = law.c2 / airspeed * sin(seen.heading) * cos(seen.elevation)
+    too_slow = asked.turning - seen.turning
+    turning = asked.turning_ahead - by_weight + gains.ease * too_slow
+    return float(turning / turn_gain(law, airspeed))
 
 
 @compiled
-def place_of(v: Vector) -> tuple[float, float]:
-    """Azimuth and elevation of a vector."""
-    return azimuth_of(v), elevation_of(v)
+def taught(path: Path, learnt: Array, progress: float) -> float:
+    """How much more than by its shape the path turns at `progress` [rad], for each rad of way."""
+    angle = 2 * pi * progress / length_of(path)
+    found = learnt[0]
+    for h in range(1, HARMONICS + 1):
+        found += learnt[2 * h - 1] * cos(h * angle) + learnt[2 * h] * sin(h * angle)
+    return float(found)
+
+
+@compiled
+def learn(
+    path: Path,
+    law: TurnRateLaw,
+    gains: Gains,
+    seen: Estimate,
+    asked: Guidance,
+    flown: float,
+    learnt: Array,
+) -> Array:
+    """What is learnt once `flown` [rad] more of the way is known.
+
+    Each harmonic of what errors asked for, where the kite was when the stick was moved for it:
+    a gradient step that makes the next lap's feedback less. (Learning over laps: Cobb et al.,
+    IEEE Trans. Control Syst. Technol. 28 (2020) 1853.)
+    """
+    found = learnt.copy()
+    if abs(asked.error) > NEAR or abs(flown) > LONGEST_STRIDE:
+        return found
+    lead = lead_time(law, gains, max(seen.airspeed, LEAST_AIRSPEED))
+    angle = 2 * pi * (asked.progress - lead * seen.speed) / length_of(path)
+    step = gains.learning * flown / length_of(path) * asked.feedback / max(seen.speed, 0.1)
+    found[0] += step
+    for h in range(1, HARMONICS + 1):
+        found[2 * h - 1] += 2.0 * step * cos(h * angle)
+        found[2 * h] += 2.0 * step * sin(h * angle)
+    return found
+
+
+def nothing_learnt() -> Array:
+    """Of a path that was not flown yet."""
+    return np.zeros(2 * HARMONICS + 1)
