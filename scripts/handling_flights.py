@@ -6,7 +6,7 @@ By newton-euler where no model is named: its coordinates go everywhere a kite go
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
-from math import acos, cos, degrees, inf, isfinite, pi, radians, sin, tan
+from math import acos, cos, degrees, inf, isfinite, pi, radians
 from typing import NamedTuple
 
 import numpy as np
@@ -16,14 +16,14 @@ from kitemj.dynamics.formulation import make_model
 from kitemj.dynamics.ground import TOUCH
 from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.equilibrium import equilibrium
+from kitemj.flight.gliding import gliding
 from kitemj.flight.limits import touches_ground
 from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import scenario_of
 from kitemj.physics.compiled import Array
-from kitemj.physics.frames import Angles, angles
+from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Segment, rest_ell
-from kitemj.physics.vectors import Rotation, Vector
 from kitemj.pilots.manoeuvres import Pilot
 from kitemj.pilots.sight import Twist, sight
 
@@ -59,28 +59,8 @@ def inside(parameters: Parameters, place: Place) -> bool:
 
 
 def flying(parameters: Parameters, place: Place) -> State:
-    """The state of a kite that flies where it points, straight on, at the α of rest.
-
-    Its speed is the one at which the air meets it as at rest; none where the wind is too weak.
-    """
-    az, el, nose = map(radians, place)
-    out = np.array([-cos(el) * cos(az), -cos(el) * sin(az), -sin(el)])
-    right = np.array([sin(az), -cos(az), 0.0])
-    up = np.array([sin(el) * cos(az), sin(el) * sin(az), -cos(el)])
-    ahead = cos(nose) * up + sin(nose) * right
-    rest, wind = equilibrium(parameters), np.array([-parameters.wind.speed, 0.0, 0.0])
-    speed = max(0.0, max(0.0, wind @ out) / tan(rest.gamma) + wind @ ahead)
-    ell = rest_ell(parameters.lines.length, parameters.kite.y_A)
-    across = np.cross(-out, ahead)
-    s, c = sin(rest.theta), cos(rest.theta)
-    x_B, z_B = c * ahead + s * out, s * ahead - c * out
-    attitude = Rotation(*(Vector(*map(float, axis)) for axis in (x_B, across, z_B)))
-    q = angles(attitude, Vector(*map(float, ell * out)))._replace(theta=rest.theta)
-    j_1 = np.array([-sin(q.phi), cos(q.phi), 0.0])
-    turning = np.cross(out, speed / ell * ahead)  # = φ̇ k_E + γ̇ j_1 + η̇ i_2
-    axes = np.column_stack(([0.0, 0.0, 1.0], j_1, ahead))
-    phi, gamma, eta = map(float, np.linalg.solve(axes, turning))
-    return State(q, Angles(phi, gamma, eta, 0.0))
+    """The state of a kite that flies where it points, straight on, at the α of rest."""
+    return gliding(parameters, *map(radians, place))
 
 
 def back_after(parameters: Parameters, place: Place, model: str = "newton-euler") -> float:
