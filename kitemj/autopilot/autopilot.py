@@ -3,7 +3,6 @@
 from math import nan
 
 from kitemj.autopilot.follow import (
-    Estimate,
     follow,
     learn,
     length_of,
@@ -11,23 +10,20 @@ from kitemj.autopilot.follow import (
     nothing_learnt,
     stick_for,
 )
-from kitemj.autopilot.gains import ACTUATOR, DAMPING, Gains
+from kitemj.autopilot.gains import Gains
+from kitemj.autopilot.hands import moved
 from kitemj.autopilot.paths import path_of
 from kitemj.autopilot.sphere import (
     ahead_of,
     azimuth_of,
-    course,
     direction,
     elevation_of,
-    tangential,
 )
+from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
-from kitemj.physics.shaping import StickLaw
-from kitemj.physics.vectors import Vector, norm, times
-from kitemj.pilots.sight import sight
 
 GLIDE = 3.6
 
@@ -59,27 +55,4 @@ class Autopilot:
         lap, to = asked.progress / length_of(path), asked.attractor
         self.guided = Guided("path", asked.error, lap, azimuth_of(to), elevation_of(to), seen.twist)
         wish = stick_for(law, gains, seen, asked)
-        wish = max(-limits.delta, min(limits.delta, wish))
-        now = motion.control
-        pull = ACTUATOR**2 * (wish - now.delta) - 2 * DAMPING * ACTUATOR * now.delta_dot
-        part = pull / limits.delta_ddot
-        return Command(max(-1.0, min(1.0, part)), 0.0, StickLaw.ACCELERATION)
-
-
-def true_estimate(motion: Motion) -> Estimate:
-    """What a pilot without errors believes; in place of sensors and observer."""
-    seen, g, v = sight(motion), motion.body.p_G_E, motion.body.v_G_E
-    length = norm(g)
-    p = Vector(-g.x / length, -g.y / length, -g.z / length)
-    across = tangential(p, Vector(-v.x / length, -v.y / length, -v.z / length))
-    speed = norm(across)
-    return Estimate(
-        seen.azimuth,
-        seen.elevation,
-        speed,
-        course(p, times(1.0 / max(speed, 1e-9), across)),
-        seen.heading,
-        seen.turning,
-        motion.air.speed,
-        0.0,
-    )
+        return moved(wish, motion.control, limits)

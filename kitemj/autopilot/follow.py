@@ -21,7 +21,9 @@ from kitemj.physics.vectors import Vector, dot, norm, plus, times
 HARMONICS = 5
 """Of a lap, up to which is learnt; quicker ones the loop cannot follow in phase."""
 NEAR = 0.12
-"""rad off the path; farther away nothing is learnt, and the path's own turning fades."""
+"""rad off the path; farther away the path's own turning fades."""
+SURE = 0.06
+"""rad off the path; farther away nothing is learnt, since the kite is still on its way there."""
 LEAST_AIRSPEED = 1.0
 """m/s; below that there is nothing to steer with, and nothing is divided by it."""
 LONGEST_STRIDE = 0.1
@@ -193,7 +195,7 @@ def learn(
     IEEE Trans. Control Syst. Technol. 28 (2020) 1853.)
     """
     found = learnt.copy()
-    if abs(asked.error) > NEAR or abs(flown) > LONGEST_STRIDE:
+    if abs(asked.error) > SURE or abs(flown) > LONGEST_STRIDE:
         return found
     lead = lead_time(law, gains, max(seen.airspeed, LEAST_AIRSPEED))
     angle = 2 * pi * (asked.progress - lead * seen.speed) / length_of(path)

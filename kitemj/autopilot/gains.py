@@ -27,7 +27,7 @@ class Gains(NamedTuple):
     outlook: float = 2.0
     ease: float = 0.3
     feedback: float = 0.2
-    learning: float = 0.3
+    learning: float = 0.5
 
 
 @compiled
