@@ -1,7 +1,7 @@
 """A figure of eight lying in the sky: of all of one family, the one with the widest bends."""
 
 from collections.abc import Callable
-from functools import cache
+from functools import lru_cache
 from math import pi, sqrt, tan
 
 import numpy as np
@@ -28,9 +28,9 @@ HEIGHT_STEPS = 6
 def lemniscate(settings: PathSettings) -> Curve:
     """The eight of `settings.width` and `height` [rad], from the crossing to the right.
 
-    x = a sin t / (1 + m cos² t), y = b √(1 + m) sin 2t / (1 + m cos² t) in a stereographic picture of
-    the sky around the middle: of Gerono for m = 0, of Bernoulli for m = 1. m is the one that makes
-    the sharpest bend widest.
+    x = a sin t / (1 + m cos² t), y = b √(1 + m) sin 2t / (1 + m cos² t) in a stereographic
+    picture of the sky around the middle: of Gerono for m = 0, of Bernoulli for m = 1. m is the one
+    that makes the sharpest bend widest.
     """
     middle, right, up = axes_at(settings.azimuth, settings.elevation)
     side = -1.0 if settings.turn in ("up", "left") else 1.0
@@ -69,7 +69,7 @@ def _ratio(u: Parts, v: Parts) -> Parts:
     return q, q_1, (u[2] - 2 * q_1 * v[1] - q * v[2]) / v[0]
 
 
-@cache
+@lru_cache(maxsize=256)
 def widest(width: float, height: float) -> tuple[float, float]:
     """m, and b that makes the eight as high in the sky as is said, for the widest bends."""
 

@@ -43,33 +43,27 @@ class Path(NamedTuple):
     spacing: float
 
 
-class Glide(NamedTuple):
-    """How a kite glides along a path, by its ratio of lift over drag alone; each (n,).
-
-    `room`: of the square of the speed, negative where there is none at which the kite stays;
-    `speed` over the ground and `airspeed`, both in winds; `drift` [rad]: of the nose from the
-    course, to the right.
-    """
-
-    room: Array
-    speed: Array
-    airspeed: Array
-    drift: Array
-
-
 def path_of(settings: PathSettings, glide: float) -> Path:
     """The path for a kite of a `glide` ratio (lift over drag, whole kite).
 
     A circle turns left for "up" as for "left". Raises InputError for points that are too few
     or too near one another, a curve with a cusp, and one that is not wholly downwind.
     """
+    return sampled(curve_of(settings), glide)
+
+
+def curve_of(settings: PathSettings) -> Curve:
+    """The curve, unchecked but for its numbers. Raises InputError."""
     if settings.kind == "points":
-        curve = through(settings.points)
-    elif settings.kind == "circle":
-        curve = circle(settings)
-    else:
-        curve = lemniscate(settings)
-    return sampled(curve, glide)
+        return through(settings.points)
+    for name in ("radius",) if settings.kind == "circle" else ("width", "height"):
+        size, most = getattr(settings, name), pi / 2 if name == "radius" else pi
+        if not 0.0 < size < most:
+            raise InputError(
+                f"pilot.path.{name} must be above 0 deg and below {degrees(most):g} deg, "
+                f"got {degrees(size):g} deg"
+            )
+    return circle(settings) if settings.kind == "circle" else lemniscate(settings)
 
 
 def circle(settings: PathSettings) -> Curve:
@@ -128,9 +122,9 @@ def sampled(curve: Curve, glide: float) -> Path:
     _check_smooth(points, curvature)
     ahead = r_1 - np.sum(r_1 * points, axis=1)[:, None] * points
     ahead /= np.linalg.norm(ahead, axis=1)[:, None]
-    found = gliding(points, ahead, glide)
-    turning = curvature + periodic_slope(found.drift, spacing)
-    return Path(points, ahead, curvature, found.speed, turning, spacing)
+    speed = gliding(points, ahead, glide)
+    path = Path(points, ahead, curvature, speed, curvature, spacing)
+    return path._replace(turning=nose_turning(path, speed))
 
 
 def equal_arcs(curve: Curve) -> tuple[Array, float]:
@@ -153,27 +147,45 @@ def equal_arcs(curve: Curve) -> tuple[Array, float]:
     return np.asarray(found), total / POINTS
 
 
-def gliding(points: Array, ahead: Array, glide: float) -> Glide:
-    """How a kite of a `glide` ratio flies at `points` in the directions `ahead`, both (n, 3).
+def gliding(points: Array, ahead: Array, glide: float) -> Array:
+    """Speeds (n,) in winds at `points` in the directions `ahead`, both (n, 3), by glide alone.
 
-    Without weight, what it meets of the air across the line is `glide` times what it meets along
-    it: |v - W_t| = E W_r (Erhard & Strauch, IEEE Trans. Control Syst. Technol. 21 (2013) 13).
+    Without weight, what a kite meets of the air across the line is `glide` times what it meets
+    along it: |v - W_t| = E W_r (Erhard & Strauch, IEEE Trans. Control Syst. Technol. 21 (2013)
+    13). Where there is no such speed, as good as that of the wind along the way.
     """
-    downwind = np.array([1.0, 0.0, 0.0])
-    right, inflow = np.cross(ahead, points), points @ downwind
-    across = downwind - inflow[:, None] * points
-    along = np.sum(across * ahead, axis=1)
-    room = (glide * inflow) ** 2 - np.sum(across**2, axis=1) + along**2
-    speed = along + np.sqrt(np.maximum(room, 1e-6))
-    air = speed[:, None] * ahead - across
-    drift = np.unwrap(np.arctan2(np.sum(air * right, axis=1), np.sum(air * ahead, axis=1)))
-    return Glide(room, speed, inflow * np.hypot(1.0, glide), drift)
+    inflow, along = points[:, 0], ahead[:, 0]
+    # 1 - inflow²: of the wind across the line, in winds
+    room = (glide * inflow) ** 2 - (1.0 - inflow**2) + along**2
+    return np.asarray(along + np.sqrt(np.maximum(room, 1e-6)))
+
+
+def courses(path: Path) -> Array:
+    """The course [rad] from up (n,), to the right, as `kitemj.autopilot.sphere.course`."""
+    up = np.array([0.0, 0.0, 1.0]) - path.points[:, 2:] * path.points
+    right = np.cross(up, path.points)
+    return np.asarray(
+        np.arctan2(np.sum(path.ahead * right, axis=1), np.sum(path.ahead * up, axis=1))
+    )
+
+
+def drifts(path: Path, speed: Array) -> Array:
+    """From course to nose [rad], to the right, at the `speed` (n,) in winds: into the air."""
+    right = np.cross(path.ahead, path.points)
+    return np.asarray(np.unwrap(np.arctan2(-right[:, 0], speed - path.ahead[:, 0])))
+
+
+def nose_turning(path: Path, speed: Array) -> Array:
+    """How much the nose turns for each rad of way (n,) at the `speed` (n,) in winds."""
+    return path.curvature + periodic_slope(drifts(path, speed), path.spacing)
 
 
 def periodic_slope(values: Array, spacing: float) -> Array:
     """The derivative of `values` (n,), `spacing` apart, which go once around."""
     way = spacing * np.arange(len(values) + 1)
-    return np.asarray(CubicSpline(way, np.append(values, values[0]), bc_type="periodic")(way[:-1], 1))
+    return np.asarray(
+        CubicSpline(way, np.append(values, values[0]), bc_type="periodic")(way[:-1], 1)
+    )
 
 
 def place(point: Array) -> str:
