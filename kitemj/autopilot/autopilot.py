@@ -11,6 +11,7 @@ from kitemj.autopilot.follow import (
     stick_for,
 )
 from kitemj.autopilot.gains import Gains
+from kitemj.autopilot.glide import glide_ratio
 from kitemj.autopilot.hands import moved
 from kitemj.autopilot.paths import path_of
 from kitemj.autopilot.sphere import (
@@ -25,8 +26,6 @@ from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
 
-GLIDE = 3.6
-
 
 class Autopilot:
     """Flies by what [pilot] says; `guided` tells what it is at. Knows nothing of the wind."""
@@ -38,7 +37,7 @@ class Autopilot:
         self._parameters, self.settings = parameters, settings
         self.law = law or settings.law or TurnRateLaw(0.29, -3.0, 0.4, 16.0, 2.8)
         self.gains = Gains(settings.crossover)
-        self.path = path_of(settings.path, GLIDE)
+        self.path = path_of(settings.path, glide_ratio(parameters))
         self.guided = Guided(settings.phases[0], nan, nan, nan, nan, 0.0)
         self._progress, self._learnt = nan, nothing_learnt()
 
