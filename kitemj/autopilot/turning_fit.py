@@ -121,6 +121,17 @@ def fit_law(
     return Fit(numbers, known, airspeed, by_way, *shares)
 
 
+def predicted(flown: Flown, fit: Fit) -> Array:
+    """The turn rate [rad/s] of a law along a flight, (n,)."""
+    law = _Law(flown, fit.airspeed, fit.by_way)
+    return law.residual(np.array(fit.numbers[:4])) + flown.turning
+
+
+def delayed(flown: Flown, fit: Fit) -> Array:
+    """δ [rad] that acts at each row of a flight, by a law's lag, (n,)."""
+    return _Law(flown, fit.airspeed, fit.by_way).delta(fit.numbers.lag)
+
+
 def explained(left: Array, turning: Array) -> float:
     """The share of the variance of `turning` that is not `left` over, both (n,); n = 0: nan."""
     return float(1.0 - np.var(left) / np.var(turning)) if len(left) else np.nan
@@ -167,8 +178,15 @@ class _Law:
         """Derivatives of the law's turn rate by z, (n, 4)."""
         c1, _, exponent, lag = z
         part = self._flown.airspeed / self._v0
-        gain = self._v0 * part**exponent
-        then = np.maximum(self._flown.t - lag / self._speed, self._flown.t[0])
+        gain, then = self._v0 * part**exponent, self._then(lag)
         by_c1 = gain * self._u(then)
         by_lag = -c1 * gain * self._u_dot(then) / self._speed
         return np.column_stack((by_c1, self._weight, c1 * by_c1 * np.log(part), by_lag))
+
+    def delta(self, lag: float) -> Array:
+        """δ [rad] that acts now, (n,)."""
+        return np.asarray(self._u(self._then(lag)))
+
+    def _then(self, lag: float) -> Array:
+        """When δ was what acts now [s], (n,); not before the flight."""
+        return np.asarray(np.maximum(self._flown.t - lag / self._speed, self._flown.t[0]))
