@@ -5,7 +5,7 @@ from math import nan
 
 from kitemj.autopilot.linear_law import LinearLaw
 from kitemj.autopilot.probe import EARLY, Probe
-from kitemj.autopilot.turning_fit import Fit, Numbers
+from kitemj.autopilot.turning_fit import SLOWEST, Fit, Numbers
 from kitemj.flight.live import TICK
 from kitemj.physics.parameters import Parameters
 from kitemj.tables import Cell, Table, Tabled
@@ -41,7 +41,7 @@ class Identification(Tabled):
     def fault(self) -> str:
         """Why no law of turning holds, in words with numbers; empty where one does."""
         if self.fit is None:
-            lasted = EARLY + len(self.probe.flown.t) * TICK
+            lasted = EARLY - SLOWEST + len(self.probe.flown.t) * TICK
             why = self.probe.departure or "its coordinates end beyond the zenith"
             return f"the test flight ended after {lasted:.0f} s or sooner ({why})"
         (c1, *_), (error, *_), explained = self.fit.numbers, self.fit.errors, self.fit.explained

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from kitemj.autopilot.identification import Identification
-from kitemj.autopilot.turning_fit import FITTED, Flown, delayed, predicted
+from kitemj.autopilot.turning_fit import EVEN, Fit, Flown, delayed, first, looked_at, predicted
 from kitemj.physics.compiled import Array
 
 if TYPE_CHECKING:
@@ -30,21 +30,21 @@ def identification_figure(found: Identification) -> Figure:
     top = figure.add_subplot(grid[0, 0])
     below = figure.add_subplot(grid[1, 0], sharex=top)
     beside = figure.add_subplot(grid[:, 1])
-    flown = Flown(*(column[::EVERY] for column in found.probe.flown))
-    if found.fit is None or len(flown.t) == 0:
+    if found.fit is None:
         figure.suptitle(found.in_words, fontsize=8, wrap=True)
         return figure
-    law = predicted(found.probe.flown, found.fit)[::EVERY]
-    _over_time(top, below, flown, law)
-    _over_delta(beside, found, flown, delayed(found.probe.flown, found.fit)[::EVERY])
+    whole, fit = found.probe.flown, found.fit
+    rows = np.flatnonzero(looked_at(whole))[::EVERY]
+    flown = Flown(*(column[rows] for column in whole))
+    _over_time(top, below, flown, predicted(whole, fit)[rows], first(whole))
+    _over_delta(beside, fit, flown, delayed(whole, fit)[rows])
     holds = "the law of turning holds" if found.holds else "the law of turning does not hold"
     figure.suptitle(f"{found.source}, flown by {found.model}: {holds}", fontsize=11)
     return figure
 
 
-def _over_time(top: Axes, below: Axes, flown: Flown, law: Array) -> None:
+def _over_time(top: Axes, below: Axes, flown: Flown, law: Array, fitted: float) -> None:
     t = flown.t
-    fitted = t[0] + FITTED * (t[-1] - t[0])
     top.plot(t, flown.turning, color=FLOWN, lw=2.2, label="flown")
     top.plot(t, law, color=LAW, lw=1.0, label="law")
     below.plot(t, law - flown.turning, color=LEFT, lw=0.9)
@@ -57,17 +57,18 @@ def _over_time(top: Axes, below: Axes, flown: Flown, law: Array) -> None:
     below.set(ylabel="law - flown", xlabel="time [s]")
 
 
-def _over_delta(ax: Axes, found: Identification, flown: Flown, delta: Array) -> None:
+def _over_delta(ax: Axes, fit: Fit, flown: Flown, delta: Array) -> None:
     """The slope is c₁ (v_a/v₀)ⁿ⁻¹: one line where n = 1."""
-    assert found.fit is not None
-    c2, v = found.fit.numbers.c2, flown.airspeed
+    c2, v = fit.numbers.c2, flown.airspeed
     weight = c2 / v * np.sin(flown.heading) * np.cos(flown.elevation)
     dots = ax.scatter(delta, (flown.turning - weight) / v, c=v, s=5, cmap="viridis", lw=0)
     ends = np.array([delta.min(), delta.max()])
-    law = found.fit.law
-    for speed in dict.fromkeys((float(v.min()), found.fit.airspeed, float(v.max()))):
-        style = "-" if speed == found.fit.airspeed else "--"
+    law = fit.law
+    for speed in dict.fromkeys((float(v.min()), fit.airspeed, float(v.max()))):
+        style = "-" if speed == fit.airspeed else "--"
         ax.plot(ends, ends * law.gain(speed) / speed, style, color=LAW, lw=0.9)
     ax.set(xlabel="δ when it began to act [rad]", ylabel="(turn rate - weight's) / v_a [rad/m]")
-    ax.set_title("lines: the law at least, usual, most v_a", fontsize=9)
-    ax.figure.colorbar(dots, ax=ax, label="airspeed v_a [m/s]")
+    ax.locator_params(axis="x", nbins=5)
+    if np.ptp(v) > EVEN * fit.airspeed:
+        ax.set_title("lines: the law at the least, the median and the most v_a", fontsize=9)
+        ax.figure.colorbar(dots, ax=ax, label="airspeed v_a [m/s]")

@@ -7,7 +7,7 @@ import numpy as np
 from kitemj.autopilot.identification import Identification
 from kitemj.autopilot.linear_law import LinearLaw, in_still_air, linear_law
 from kitemj.autopilot.probe import AT_REST, Probe, eights, signal_for, standing
-from kitemj.autopilot.turning_fit import Fit, Flown, fit_law
+from kitemj.autopilot.turning_fit import SLOWEST, Fit, Flown, fit_law, looked_at
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.physics.compiled import Array
@@ -87,11 +87,12 @@ def _fitted(parameters: Parameters, rough: LinearLaw, model: str) -> tuple[Probe
     steered = turns(rough)
     flown = eights(parameters, rough.law, model) if steered else standing(parameters, model)
     t = flown.flown.t
-    enough = len(t) > 0 and t[-1] - t[0] >= SHORTEST
+    enough = len(t) > 0 and t[-1] - t[0] >= SHORTEST + SLOWEST
     return flown, fit_law(flown.flown) if enough else None
 
 
 def amplitudes_of(flown: Flown, frequencies: Array) -> Array:
     """Amplitudes [rad] of δ at `frequencies` (k,) [rad/s], in a flight of whole waves of them."""
-    waves = np.exp(-1j * np.outer(frequencies, flown.t))
-    return np.asarray(2.0 / len(flown.t) * np.abs(waves @ flown.delta))
+    rows = looked_at(flown)
+    t, delta = flown.t[rows], flown.delta[rows]
+    return np.asarray(2.0 / len(t) * np.abs(np.exp(-1j * np.outer(frequencies, t)) @ delta))

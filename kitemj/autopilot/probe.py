@@ -7,7 +7,7 @@ import numpy as np
 
 from kitemj.autopilot.gains import HANDS
 from kitemj.autopilot.hands import moved
-from kitemj.autopilot.turning_fit import Flown
+from kitemj.autopilot.turning_fit import SLOWEST, Flown
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import FlightError
 from kitemj.flight.equilibrium import equilibrium_state
@@ -23,13 +23,13 @@ from kitemj.pilots.sight import sight, turned
 
 HARMONICS = np.array([3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0])
 """Of the slowest wave, which are flown: seven sines."""
-SLOWEST = 0.1
+BASE = 0.1
 """Of V/b [rad/s], the wave of which they are harmonics: 0.1 to 0.5 of a turn in the time in which
 the wind passes 2π spans, which is quick and slow beside how a kite answers."""
 UNHURRIED = 0.5
 """Of the hands' limits on δ̇ and δ̈, at most, when all sines pull at once."""
 EARLY = 2.0
-"""s, after which the flight is looked at: it begins at rest."""
+"""s, after which eights are looked at: they begin at rest."""
 LOOSE = 0.01
 """Of a flight, so much may be outside the limits of validity."""
 QUICK = 0.35
@@ -101,7 +101,7 @@ def signal_for(parameters: Parameters, part: float) -> Signal:
     Less where hands are too slow for it. Their phases are those of least peaks (Schroeder, IEEE
     Trans. Inf. Theory 16 (1970) 85). The frequencies follow from span and wind.
     """
-    slowest = SLOWEST * parameters.wind.speed / parameters.kite.span
+    slowest = BASE * parameters.wind.speed / parameters.kite.span
     frequencies, k = slowest * HARMONICS, np.arange(len(HARMONICS))
     stick = parameters.stick
     amplitude = min(
@@ -172,8 +172,8 @@ def probe(
 ) -> Probe:
     """A flight from rest, by any pilot, for `duration` [s] or until the ground.
 
-    What is before `early` [s] is left out. The wind comes from ahead, whatever its azimuth: the
-    law is the same.
+    What is more than `SLOWEST` before `early` [s] is left out. The wind comes from ahead, whatever
+    its azimuth: the law is the same.
     """
     parameters = parameters._replace(wind=parameters.wind._replace(azimuth=0.0))
     rest = Sines(rest_ell(parameters.lines.length, parameters.kite.y_A))
@@ -192,7 +192,9 @@ def probe(
             rows.append(_row(result.motion))
     except FlightError:
         pass  # the coordinates end beyond the zenith; what was flown until then counts
-    seen = np.array([row for row in rows if row[0] >= early - TICK / 2]).reshape(-1, len(LOOKS))
+    seen = np.array([row for row in rows if row[0] >= early - SLOWEST - TICK / 2]).reshape(
+        -1, len(LOOKS)
+    )
     whole = len(rows) == ticks
     return Probe(Flown(*seen.T), departure, outside / max(1, len(rows)), whole)
 

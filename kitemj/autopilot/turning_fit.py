@@ -23,11 +23,14 @@ BLOCKS = 16
 FITTED = 2 / 3
 """Of the flight, its beginning; the rest tells what share of the variance is explained."""
 SLOWEST = 1.5
-"""s; the longest delay with which a fit begins, in steps of a thirtieth of it."""
+"""s; the longest delay with which a fit begins, in steps of a thirtieth of it. So much of a flight
+is not fitted at its beginning: what the hands did before is not in it."""
 EXPONENTS = (-1.0, 3.0)
 """Between which n is looked for, as `TurnRateLaw` has it."""
 LONGEST = 30.0
 """m; the longest lag. No kite of some metres answers later."""
+ROUNDING = 1e-6
+"""s; of the times of ticks."""
 NONE = 1e-6
 """m; a lag at its bound, which the search only comes near."""
 EVEN = 0.02
@@ -88,7 +91,8 @@ def fit_law(
     exponent  n; None: fitted as well, if the airspeed changes enough to tell it
     part      of the flight, that is fitted; 1: all of it, and nothing is left to try the law on
     """
-    fitted = np.arange(len(flown.t)) < part * len(flown.t)
+    looked = looked_at(flown)
+    fitted = looked & (flown.t <= first(flown, part))
     airspeed = float(np.median(flown.airspeed[fitted]))
     if exponent is None and np.std(np.log(flown.airspeed[fitted])) < EVEN:
         exponent = 1.0
@@ -116,9 +120,21 @@ def fit_law(
     errors[free] = uncertainty(slopes(z), left(z))
     found[3] = found[3] if found[3] > NONE else 0.0
     rest = law.residual(found)
-    shares = [explained(rest[rows], flown.turning[rows]) for rows in (fitted, ~fitted)]
+    tried = looked & ~fitted
+    shares = [explained(rest[rows], flown.turning[rows]) for rows in (fitted, tried)]
     numbers, known = (Numbers(*map(float, [*x, x[3] / airspeed])) for x in (found, errors))
     return Fit(numbers, known, airspeed, by_way, *shares)
+
+
+def looked_at(flown: Flown) -> Rows:
+    """Rows (n,) for which it is known what the hands did before."""
+    return np.asarray(flown.t >= flown.t[0] + SLOWEST - ROUNDING)
+
+
+def first(flown: Flown, part: float = FITTED) -> float:
+    """When [s] the first `part` of what is looked at is over."""
+    start = float(flown.t[0]) + SLOWEST
+    return start + part * (float(flown.t[-1]) - start) + ROUNDING
 
 
 def predicted(flown: Flown, fit: Fit) -> Array:
