@@ -18,16 +18,17 @@ from kitemj.physics.vectors import Vector
 class Kite(NamedTuple):
     """What does not change in a flight: the kite on its lines, how it turns, what it flies.
 
-    `unwinding`: the circles to the right and to the left on which lines are untwisted; the `glide`
-    ratio; `length` [m] of the lines; `full` [rad]: largest |δ|; `low` [m]: how high G must stay;
-    `top` [rad]: the elevation of rest; `most_twist` [rad] that lines can take.
+    `unwinding`: the circles to the right and to the left on which lines are untwisted, if the
+    kite can fly any; the `glide` ratio; `length` [m] of the lines; `full` [rad]: largest |δ|;
+    `low` [m]: how high G must stay; `top` [rad]: the elevation of rest; `most_twist` [rad]
+    that lines can take.
     """
 
     settings: PilotSettings
     law: TurnRateLaw
     gains: Gains
     path: Path
-    unwinding: tuple[Path, Path]
+    unwinding: tuple[Path, Path] | None
     glide: float
     length: float
     full: float
