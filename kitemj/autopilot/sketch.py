@@ -16,6 +16,8 @@ from kitemj.physics.vectors import Vector, dot, minus, norm, plus, times
 DOWNWIND = Vector(1.0, 0.0, 0.0)
 STEP, LONG = 0.1, 8.0
 """s; of a sketch."""
+HANDS_OVER = 0.25
+"""s; until hands that pull nothing pull fully, and twice that from the other side."""
 SLOWEST = 0.02
 """Of the wind's speed; a kite that would fly backwards along its course is said to fly so."""
 
@@ -115,11 +117,16 @@ def flown_on(kite: Glider, now: Sketch, asked: float) -> Sketch:
 
 @compiled
 def lowest(kite: Glider, seen: Estimate, side: float) -> float:
-    """The least height [m] of a kite that is turned to one `side` (right +1) until it rises."""
+    """The least height [m] of a kite that is turned to one `side` (right +1) until it rises.
+
+    Hands that pull the other way come over first.
+    """
     now = begun(seen)
-    least = now.p.z
-    for _ in range(round(LONG / STEP)):
-        now = flown_on(kite, now, side * most_turning(kite, now.p))
+    least, most = now.p.z, most_turning(kite, now.p)
+    waiting = HANDS_OVER * (1.0 - max(-1.0, min(1.0, side * seen.turning / most)))
+    for i in range(round(LONG / STEP)):
+        asked = now.turning if i * STEP < waiting else side * most_turning(kite, now.p)
+        now = flown_on(kite, now, asked)
         if now.p.z > least and velocity(kite, now).z > 0.0:
             break
         least = min(least, now.p.z)
