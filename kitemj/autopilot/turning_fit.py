@@ -1,9 +1,9 @@
 """The law of turning fitted to a flight by least squares, with what its numbers are uncertain by.
 
 The residual of such a fit is what the law leaves out, not noise: it swings slowly, and the usual
-covariance would call the numbers far too certain. Here the flight is cut into `BLOCKS`, and the
-sums of residual times slope in each are what is taken to be independent (the cluster-robust
-covariance of Liang & Zeger, Biometrika 73 (1986) 13).
+covariance would call the numbers far too certain. Here the flight is cut into `BLOCKS`, and how
+much the numbers change where one of them is left out says how far they are known (the jackknife of
+blocks: Künsch, Ann. Statist. 17 (1989) 1217).
 """
 
 from typing import NamedTuple
@@ -154,13 +154,17 @@ def explained(left: Array, turning: Array) -> float:
 
 
 def uncertainty(slopes: Array, residual: Array) -> Array:
-    """One standard uncertainty of each number (k,), of slopes (n, k) and residual (n,)."""
-    parts = np.array_split(np.arange(len(residual)), BLOCKS)
-    sums = np.array([slopes[part].T @ residual[part] for part in parts])
-    bread = np.linalg.pinv(slopes.T @ slopes, hermitian=True)
-    few = BLOCKS / (BLOCKS - 1)
-    covariance = few * bread @ sums.T @ sums @ bread
-    return np.asarray(np.sqrt(np.diag(covariance)))
+    """One standard uncertainty of each number (k,), of slopes (n, k) and residual (n,).
+
+    The jackknife, to first order: how the numbers change where a block is left out.
+    """
+    whole, changes = slopes.T @ slopes, []
+    for rows in np.array_split(np.arange(len(residual)), BLOCKS):
+        block = slopes[rows]
+        less = np.linalg.pinv(whole - block.T @ block, hermitian=True)
+        changes.append(less @ block.T @ residual[rows])
+    off = np.array(changes) - np.mean(changes, axis=0)
+    return np.asarray(np.sqrt((BLOCKS - 1) / BLOCKS * np.sum(off**2, axis=0)))
 
 
 class _Law:
