@@ -6,7 +6,9 @@ the right, as in `kitemj.pilots.sight`.
 
 from math import atan2, cos, hypot, sin
 
-from kitemj.physics.compiled import compiled
+import numpy as np
+
+from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.vectors import Vector, cross, dot, norm, plus, times
 
 UP = Vector(0.0, 0.0, 1.0)
@@ -56,3 +58,10 @@ def ahead_of(p: Vector, angle: float) -> Vector:
     up = Vector(-p.z * p.x, -p.z * p.y, 1.0 - p.z * p.z)
     up = times(1.0 / norm(up), up)
     return plus(times(cos(angle), up), times(sin(angle), right_of(p, up)))
+
+
+def axes_at(azimuth: float, elevation: float) -> tuple[Array, Array, Array]:
+    """The direction (3,), and the unit vectors to the right and up there."""
+    s, c, se, ce = sin(azimuth), cos(azimuth), sin(elevation), cos(elevation)
+    out = np.array([ce * c, ce * s, se])
+    return out, np.array([-s, c, 0.0]), np.array([-se * c, -se * s, ce])
