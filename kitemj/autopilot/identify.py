@@ -39,8 +39,10 @@ def identify(
         swing = fit_law(small.flown, exponent=1.0, part=1.0)
     again = turns(rough) or still != parameters
     flown = flight_for(parameters, rough, model) if again else small
-    fit = fitted(flown)
-    plain = fit_law(flown.flown, by_way=False, exponent=1.0) if fit else None
+    fit = fitted(flown, rough)
+    plain = fit
+    if fit and turns(rough):
+        plain = fit_law(flown.flown, by_way=False, exponent=1.0)
     known = source, model, parameters, turns(rough)
     return Identification(*known, flown, fit, plain, swing, linear)
 
@@ -61,7 +63,7 @@ def identified_law(parameters: Parameters) -> TurnRateLaw:
 def _identified_law(parameters: Parameters) -> TurnRateLaw:
     rough = rough_law(parameters, "identification")
     flown = flight_for(parameters, rough, "lagrange")
-    fit = fitted(flown)
+    fit = fitted(flown, rough)
     known = "this kite", "lagrange", parameters, turns(rough)
     found = Identification(*known, flown, fit, fit, None, rough)
     if fit is None or not found.holds:
@@ -91,11 +93,19 @@ def flight_for(parameters: Parameters, rough: LinearLaw, model: str) -> Probe:
     return eights(parameters, rough.law, model) if turns(rough) else standing(parameters, model)
 
 
-def fitted(flown: Probe) -> Fit | None:
-    """The law that fits a test flight; None where it was too short."""
+def fitted(flown: Probe, rough: LinearLaw) -> Fit | None:
+    """The law that fits a test flight; None where it was too short.
+
+    A swing about rest comes again and again, so that nothing of it is left to try the law on:
+    all of it is fitted, and what is explained is its own share.
+    """
     t = flown.flown.t
-    enough = len(t) > 0 and t[-1] - t[0] >= SHORTEST + SLOWEST
-    return fit_law(flown.flown) if enough else None
+    if len(t) == 0 or t[-1] - t[0] < SHORTEST + SLOWEST:
+        return None
+    if turns(rough):
+        return fit_law(flown.flown)
+    fit = fit_law(flown.flown, part=1.0)
+    return fit._replace(explained=fit.fitted)
 
 
 def amplitudes_of(flown: Flown, frequencies: Array) -> Array:
