@@ -8,7 +8,8 @@ import pytest
 
 import kitemj
 from kitemj.autopilot.identification import EXPLAINED
-from kitemj.autopilot.identify import identified_law, identify, rough_law
+from kitemj.autopilot.identify import identified_law, rough_law
+from kitemj.autopilot.identify import identify as identified_anew
 from kitemj.autopilot.probe import eights
 from kitemj.autopilot.turning_fit import Flown, fit_law, predicted
 from kitemj.cli import main
@@ -21,6 +22,7 @@ from kitemj.physics.parameters import Parameters
 SEEDS = 60
 KNOWN = {"c1": 0.3, "c2": -2.0, "exponent": 0.4, "lag": 2.5}
 """1/(m rad), m/s², 1, m: near what `sport` has."""
+identify = cache(identified_anew)
 NOISE, MEMORY = 0.1, 0.97
 """rad/s, and what a tick keeps of the noise of the one before: it forgets in a third of a second,
 as what a law leaves out of a real flight."""
@@ -101,11 +103,12 @@ def test_a_law_in_noise_is_found_without_bias(many):
 
 
 def test_what_is_said_to_be_uncertain_is_so(many):
-    """With 15 degrees of freedom 56 of 60 flights are to be within two standard uncertainties;
-    fewer than 48 happens once in 10⁴. The usual covariance says a fourth of what is so."""
+    """Blocks that are not quite independent of one another leave a tenth of it out: 53 of 60
+    flights are to be within two of what is said; fewer than 45, one time in 10³. Of what the usual
+    covariance says, 8 to 23 are."""
     found, errors, known = many
     within = np.sum(np.abs(found - known) < 2.0 * errors, axis=0)
-    assert np.all(within >= 48)
+    assert np.all(within >= 45)
     ratio = errors.mean(axis=0) / found.std(axis=0, ddof=1)
     assert np.all((ratio > 0.7) & (ratio < 1.4)), "60 flights tell a deviation to a tenth"
 
@@ -210,7 +213,7 @@ def test_where_no_law_holds_it_is_said(name):
 
 
 def test_a_law_that_explains_little_is_refused():
-    found = kitemj.identify("sport")
+    found = identify(parameter_set("sport"))
     assert found.fit
     little = found.fit._replace(explained=EXPLAINED - 0.01)
     wrong = kitemj.Identification(**{**vars(found), "fit": little})

@@ -20,8 +20,8 @@ from tests.autopilot.test_identify import in_wind, of_size
 
 NEAR = 0.05
 """Of r/δ; for kites whose side force acts at G, which the circle's inertia does not turn."""
-FAR = 0.2
-"""Of r/δ for `trainer`, of which weight turns as much as a third in 6.5 m/s."""
+FAR = 0.1
+"""Of r/δ; for `trainer`, whose side force is far ahead of G, and which weight keeps from turning."""
 
 
 def by_hand(parameters: Parameters, airspeed: float) -> float:
