@@ -1,9 +1,9 @@
 """The law of turning fitted to a flight by least squares, with what its numbers are uncertain by.
 
 The residual of such a fit is what the law leaves out, not noise: it swings slowly, and the usual
-covariance would call the numbers four to nine times too certain. Here the flight is cut into `BLOCKS`, and how
-much the numbers change where one of them is left out says how far they are known (the jackknife of
-blocks: Künsch, Ann. Statist. 17 (1989) 1217).
+covariance would call the numbers four to nine times too certain. Here the flight is cut into
+`BLOCKS`, and how much the numbers change where one of them is left out says how far they are known
+(the jackknife of blocks: Künsch, Ann. Statist. 17 (1989) 1217).
 """
 
 from typing import NamedTuple

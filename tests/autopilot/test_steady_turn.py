@@ -21,7 +21,7 @@ from tests.autopilot.test_identify import in_wind, of_size
 NEAR = 0.05
 """Of r/δ; for kites whose side force acts at G, which the circle's inertia does not turn."""
 FAR = 0.1
-"""Of r/δ; for `trainer`, whose side force is far ahead of G, and which weight keeps from turning."""
+"""Of r/δ; for `trainer`, with its side force far ahead of G, which weight keeps from turning."""
 
 
 def by_hand(parameters: Parameters, airspeed: float) -> float:
