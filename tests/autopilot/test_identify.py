@@ -5,6 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 
 import kitemj
 from kitemj.autopilot.identification import EXPLAINED
@@ -53,24 +54,27 @@ def flown(model: str = "lagrange") -> Flown:
     return eights(parameters, rough_law(parameters).law, model).flown
 
 
-def made(seed: int | None, by_way: bool = True) -> Flown:
-    """The same stick and airspeed, and a nose that turns as the known law says, and noise."""
+@cache
+def exact(by_way: bool = True) -> Flown:
+    """The same stick and airspeed, and a nose that turns as the known law says."""
     real = flown()
     speed = float(np.median(real.airspeed))
     numbers = (KNOWN["c1"], KNOWN["c2"], KNOWN["exponent"], KNOWN["lag"], KNOWN["lag"] / speed)
     fit = fit_law(real, by_way=by_way)
-    turning = predicted(real, fit._replace(numbers=type(fit.numbers)(*numbers), airspeed=speed))
-    if seed is None:
-        return real._replace(turning=turning)
-    noise, draw = np.zeros(len(turning)), np.random.default_rng(seed)
-    for i, jump in enumerate(draw.normal(0.0, NOISE * np.sqrt(1 - MEMORY**2), len(noise))):
-        noise[i] = MEMORY * noise[i - 1] + jump if i else jump
-    return real._replace(turning=turning + noise)
+    known = fit._replace(numbers=type(fit.numbers)(*numbers), airspeed=speed)
+    return real._replace(turning=predicted(real, known))
+
+
+def noisy(seed: int) -> Flown:
+    """The same, and noise."""
+    real, draw = exact(), np.random.default_rng(seed)
+    jumps = draw.normal(0.0, NOISE * np.sqrt(1 - MEMORY**2), len(real.t))
+    return real._replace(turning=real.turning + lfilter([1.0], [1.0, -MEMORY], jumps))
 
 
 @pytest.mark.parametrize("by_way", [True, False])
 def test_a_law_without_noise_is_found_again(by_way):
-    real = made(None, by_way)
+    real = exact(by_way)
     fit = fit_law(real, by_way=by_way)
     speed = float(np.median(flown().airspeed))
     gain = KNOWN["c1"] * speed * (fit.airspeed / speed) ** KNOWN["exponent"]
@@ -85,7 +89,7 @@ def test_a_law_without_noise_is_found_again(by_way):
 @pytest.fixture(scope="module")
 def many():
     """A fit to each of many noisy flights: numbers and errors (seeds, 4), and what is known."""
-    fits = [fit_law(made(seed)) for seed in range(SEEDS)]
+    fits = [fit_law(noisy(seed)) for seed in range(SEEDS)]
     speed = float(np.median(flown().airspeed))
     c1 = KNOWN["c1"] * (fits[0].airspeed / speed) ** (KNOWN["exponent"] - 1.0)
     known = np.array([c1, KNOWN["c2"], KNOWN["exponent"], KNOWN["lag"]])
@@ -147,7 +151,7 @@ def test_it_holds_for_kites_that_it_was_not_made_on(kite):
     assert 0 < law.lag < 5.0
 
 
-@pytest.mark.parametrize(("name", "speed"), [("sport", 6.5), ("sport", 8.0), ("trainer", 8.0)])
+@pytest.mark.parametrize(("name", "speed"), [("sport", 6.5), ("sport", 8.0), ("trainer", 5.0)])
 def test_a_small_swing_about_rest_is_what_the_linear_system_says(name, speed):
     found = identify(in_wind(name, speed))
     assert found.swing
@@ -155,7 +159,7 @@ def test_a_small_swing_about_rest_is_what_the_linear_system_says(name, speed):
     ours = (swing.numbers.c1, swing.numbers.c2, swing.numbers.lag)
     errors = (swing.errors.c1, swing.errors.c2, swing.errors.lag)
     for mine, error, theirs in zip(ours, errors, (linear.c1, linear.c2, linear.lag), strict=True):
-        assert abs(mine - theirs) < 2.0 * error
+        assert abs(mine - theirs) < error
     assert swing.numbers.c1 == pytest.approx(linear.c1, rel=0.02), "swings of degrees, not none"
     assert swing.fitted == pytest.approx(found.linear.explained, abs=0.02)
 
@@ -201,14 +205,16 @@ def test_a_hand_that_is_mistaken_for_the_other_is_noticed():
     assert "turns away from the hand that pulls" in wrong.in_words
 
 
-@pytest.mark.parametrize("name", ["thesis", "laksa"])
-def test_where_no_law_holds_it_is_said(name):
-    found = kitemj.identify(name)
+def test_where_no_law_holds_it_is_said():
+    found = kitemj.identify("thesis")
     assert not found.holds
-    assert found.in_words.startswith(f"the law of turning does not hold for {name}: it turns away")
+    assert found.in_words.startswith("the law of turning does not hold for thesis: it turns away")
     assert "C_nβ = -0.027" in found.in_words
-    with pytest.raises(InputError, match="does not hold for this kite") as refused:
-        identified_law(parameter_set(name))
+
+
+def test_nothing_is_steered_by_a_law_that_does_not_hold():
+    with pytest.raises(InputError, match="does not hold for this kite: it turns away") as refused:
+        identified_law(parameter_set("laksa"))
     assert "\n" not in str(refused.value)
 
 
