@@ -78,5 +78,5 @@ def _over_delta(ax: Axes, fit: Fit, flown: Flown, delta: Array) -> None:
     ax.set(xlabel="δ when it began to act [rad]", ylabel="(turn rate - weight's) / v_a [rad/m]")
     ax.locator_params(axis="x", nbins=5)
     if np.ptp(v) > EVEN * fit.airspeed:
-        ax.set_title("lines: the law at the least, the median and the most v_a", fontsize=9)
+        ax.set_title("lines: the law at least, median, most v_a", fontsize=9)
         ax.figure.colorbar(dots, ax=ax, label="airspeed v_a [m/s]")
