@@ -5,7 +5,8 @@ The names below are what programs are written with; each is loaded when it is fi
 
 TYPE_CHECKING = False  # as in `typing`, which takes longer to load than all of this
 if TYPE_CHECKING:
-    from kitemj.api import compare, cycle, film, replay, simulate, stability, sweep, trim
+    from kitemj.api import compare, cycle, film, identify, replay, simulate, stability, sweep, trim
+    from kitemj.autopilot.identification import Identification
     from kitemj.dynamics.formulation import MODELS
     from kitemj.dynamics.motion import Motion, State
     from kitemj.equilibria.cycle import Cycle
@@ -34,15 +35,16 @@ if TYPE_CHECKING:
 
 __all__ = [
     "FIGURES", "MODELS", "PILOTS", "TICK", "Command", "Comparison", "Cycle", "Eight", "Ending",
-    "Flight", "FlightError", "Hold", "InputError", "Land", "LiveFlight", "Loop", "Motion",
-    "NoGraphics", "Parameters", "Pilot", "Recording", "Replay", "Scenario", "Sight",
+    "Flight", "FlightError", "Hold", "Identification", "InputError", "Land", "LiveFlight", "Loop",
+    "Motion", "NoGraphics", "Parameters", "Pilot", "Recording", "Replay", "Scenario", "Sight",
     "Stability", "State", "StickLaw", "StudyResult", "TickResult", "Trim", "__version__",
-    "as_scenario", "compare", "cycle", "film", "parameter_set", "read_flight", "read_recording",
-    "replay", "set_names", "sight", "simulate", "stability", "sweep", "trim",
+    "as_scenario", "compare", "cycle", "film", "identify", "parameter_set", "read_flight",
+    "read_recording", "replay", "set_names", "sight", "simulate", "stability", "sweep", "trim",
 ]  # fmt: skip
 
 _MODULES = {
-    "api": "compare cycle film replay simulate stability sweep trim",
+    "api": "compare cycle film identify replay simulate stability sweep trim",
+    "autopilot.identification": "Identification",
     "dynamics.formulation": "MODELS",
     "dynamics.motion": "Motion State",
     "errors": "FlightError InputError NoGraphics",

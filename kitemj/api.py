@@ -16,6 +16,7 @@ from kitemj.flight.scenario import Scenario, as_scenario
 from kitemj.tables import Results
 
 if TYPE_CHECKING:
+    from kitemj.autopilot.identification import Identification
     from kitemj.equilibria.cycle import Cycle
     from kitemj.equilibria.modes import Stability
     from kitemj.equilibria.trim import Trim
@@ -99,6 +100,21 @@ def cycle(scenario: Given, model: str = "lagrange") -> Cycle:
     from kitemj.equilibria.cycle import cycle
 
     return cycle(*_held(scenario, model))
+
+
+def identify(scenario: Given, model: str = "lagrange") -> Identification:
+    """How the scenario's kite turns in its wind: by a test flight of `model`.
+
+    The name of a parameter set will do. Raises InputError where there is no equilibrium to
+    begin at; that no law holds is an answer, told by `holds`.
+    """
+    from kitemj.autopilot.identify import identify
+    from kitemj.flight.scenario import parameters_named
+
+    if isinstance(scenario, str | Path):
+        return identify(parameters_named(str(scenario)), model, Path(scenario).name)
+    known = as_scenario(scenario)
+    return identify(known.parameters, model, known.source)
 
 
 def replay(recording: Recording | str | Path, model: str, step: float | None = None) -> Replay:

@@ -34,7 +34,7 @@ MEASURED = 100_000
 
 UNITS = {
     **{"rad_s2": "rad/s²", "m_s2": "m/s²"},
-    **{"rad_per_s": "rad/s", "rad_s": "rad/s", "per_s": "1/s", "m_s": "m/s"},
+    **{"rad_per_s": "rad/s", "rad_s": "rad/s", "per_s": "1/s", "per_m": "1/m", "m_s": "m/s"},
     **{unit: unit for unit in ("rad", "deg", "Hz", "s", "m", "N")},
 }
 """What a column's name ends in, and the unit that this means; the first that fits counts."""

@@ -40,7 +40,7 @@ def main() -> int:
                 for wind in WINDS
             ],
             "other kites and lines, a path for each by the same rule": [
-                Trial(kite, wind, path, IDEAL, usual=True)
+                Trial(kite, wind, path, IDEAL)
                 for kite in KITES
                 if kite != SPORT
                 for path in PATHS

@@ -3,17 +3,19 @@
 from collections import deque
 from math import acos, cos, degrees, inf, isfinite, pi, radians, sqrt
 from random import Random
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from kitemj.autopilot.autopilot import Autopilot
+from kitemj.autopilot.check_path import usual_path
+from kitemj.autopilot.identify import identified_law
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.gliding import gliding
 from kitemj.flight.limits import GROUND, VALIDITY, departure_at
 from kitemj.flight.live import TICK, SteeredFlight
-from kitemj.flight.pilot_settings import PathSettings, PilotSettings, SensorSettings
+from kitemj.flight.pilot_settings import PilotSettings, SensorSettings
 from kitemj.flight.scenario import Scenario, Times
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
@@ -48,16 +50,14 @@ KITES = {
 class Trial(NamedTuple):
     """One flight that is measured.
 
-    `usual`: the path is the one that suits the kite, else that of the settings; `c1`: the law's
-    over the kite's; `later`: how much of the kite's own delay is added; `start`: seconds flown
-    before, so that it begins elsewhere.
+    Its path is the usual one of its kind. `c1`: the law's over the kite's; `later`: how much of
+    the kite's own delay is added.
     """
 
     kite: str
     wind: float
     path: str
     sensors: SensorSettings = IDEAL
-    usual: bool = False
     c1: float = 1.0
     later: float = 0.0
     model: str = "lagrange"
@@ -97,9 +97,11 @@ def of(kite: Kite, wind: float) -> Parameters:
 def fly(trial: Trial) -> Result:
     """Flies it: from rest at the top to the path, and `LAPS` of it."""
     parameters = of(KITES[trial.kite], trial.wind)
-    path = PathSettings(kind="circle" if trial.path == "circle" else "lemniscate")
-    settings = PilotSettings(path=path, sensors=trial.sensors, seed=trial.seed)
     try:
+        kind: Literal["lemniscate", "circle"]
+        kind = "circle" if trial.path == "circle" else "lemniscate"
+        path = usual_path(parameters, identified_law(parameters), kind)
+        settings = PilotSettings(path=path, sensors=trial.sensors, seed=trial.seed)
         pilot = Autopilot(parameters, settings)
         if trial.c1 != 1.0:
             law = pilot.law._replace(c1=trial.c1 * pilot.law.c1, c2=trial.c1 * pilot.law.c2)

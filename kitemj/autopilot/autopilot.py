@@ -1,57 +1,94 @@
 """The autopilot: sensors, phases and guidance between motion and stick."""
 
-from math import nan
+from math import hypot, nan, pi
 
-from kitemj.autopilot.follow import (
-    follow,
-    learn,
-    length_of,
-    nearest,
-    nothing_learnt,
-    stick_for,
-)
+from kitemj.autopilot.check_path import usual_path
+from kitemj.autopilot.follow import Estimate, stick_for
 from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.glide import glide_ratio
 from kitemj.autopilot.hands import moved
+from kitemj.autopilot.identify import identified_law
+from kitemj.autopilot.laps import laps
+from kitemj.autopilot.memory import Kite, Memory
+from kitemj.autopilot.nose import CLEAR
 from kitemj.autopilot.paths import path_of
-from kitemj.autopilot.sphere import (
-    ahead_of,
-    azimuth_of,
-    direction,
-    elevation_of,
-)
+from kitemj.autopilot.phases import flown
+from kitemj.autopilot.rehearse import rehearsed
+from kitemj.autopilot.sphere import azimuth_of, elevation_of
 from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
+from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
+from kitemj.pilots.sight import Twist
 
 
 class Autopilot:
-    """Flies by what [pilot] says; `guided` tells what it is at. Knows nothing of the wind."""
+    """Flies by what [pilot] says; `guided` tells what it is at.
+
+    What it knows of the wind it learns beforehand, in the steady wind of the parameters: how the
+    kite turns, and how it flies its path. In flight it is told lines and angles only.
+    """
 
     def __init__(
         self, parameters: Parameters, settings: PilotSettings, law: TurnRateLaw | None = None
     ) -> None:
-        """`law`: how the kite turns; None: as in the settings, else identified."""
+        """`law`: how the kite turns; None: as in the settings, else identified.
+
+        Raises InputError for a kite that does not turn, and a path that it cannot fly.
+        """
         self._parameters, self.settings = parameters, settings
-        self.law = law or settings.law or TurnRateLaw(0.29, -3.0, 0.4, 16.0, 2.8)
+        self.law = law or settings.law or identified_law(parameters)
         self.gains = Gains(settings.crossover)
-        self.path = path_of(settings.path, glide_ratio(parameters))
-        self.guided = Guided(settings.phases[0], nan, nan, nan, nan, 0.0)
-        self._progress, self._learnt = nan, nothing_learnt()
+        self.kite = kite_of(parameters, settings, self.law, self.gains)
+        self.path = self.kite.path
+        self._rehearsed = rehearsed(parameters, self.path, self.law, self.gains)
+        self.restart(0.0)
+
+    def restart(self, t: float) -> None:
+        """Begins anew with the first phase, at time `t` [s]."""
+        first = self.settings.phases[0]
+        self.memory = Memory(0, first, t, t, self._rehearsed)
+        self.guided = Guided(first, nan, nan, nan, nan, 0.0)
+        self._twist = Twist()
 
     def command(self, motion: Motion) -> Command:
         """The stick, which asks for δ̈."""
-        seen, limits = true_estimate(motion), self._parameters.stick
-        path, law, gains, before = self.path, self.law, self.gains, self._progress
-        if before != before:
-            p = direction(seen.azimuth, seen.elevation)
-            before = nearest(path, p, ahead_of(p, seen.course))
-        asked = follow(path, law, gains, seen, before, self._learnt, limits.delta)
-        self._learnt = learn(path, law, gains, seen, asked, asked.progress - before, self._learnt)
-        self._progress = asked.progress
-        lap, to = asked.progress / length_of(path), asked.attractor
-        self.guided = Guided("path", asked.error, lap, azimuth_of(to), elevation_of(to), seen.twist)
-        wish = stick_for(law, gains, seen, asked)
-        return moved(wish, motion.control, limits)
+        if motion.t < self.memory.t:
+            self.restart(motion.t)
+        seen = self._look(motion)
+        asked, self.memory = flown(self.kite, seen, self.memory._replace(t=motion.t))
+        to, memory = asked.attractor, self.memory
+        lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
+        at = azimuth_of(to), elevation_of(to)
+        self.guided = Guided(memory.phase, asked.error, lap, *at, seen.twist)
+        wish = stick_for(self.law, self.gains, seen, asked)
+        return moved(wish, motion.control, self._parameters.stick)
+
+    def _look(self, motion: Motion) -> Estimate:
+        return true_estimate(motion)._replace(twist=2 * pi * self._twist.look(motion))
+
+
+def kite_of(
+    parameters: Parameters, settings: PilotSettings, law: TurnRateLaw, gains: Gains
+) -> Kite:
+    """What does not change in a flight. Raises InputError for a path that is none."""
+    glide, size = glide_ratio(parameters), parameters.kite
+    path = settings.path or usual_path(parameters, law)
+    circle = path if path.kind == "circle" else usual_path(parameters, law, "circle")
+    return Kite(
+        settings,
+        law,
+        gains,
+        path_of(path, glide),
+        (
+            path_of(circle._replace(turn="right"), glide),
+            path_of(circle._replace(turn="left"), glide),
+        ),
+        parameters.lines.length,
+        parameters.stick.delta,
+        CLEAR + hypot(size.span, size.chord) / 2,
+        pi / 2 - equilibrium(parameters).gamma,
+        parameters.limits.twist_max,
+    )

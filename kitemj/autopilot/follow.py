@@ -147,9 +147,10 @@ def follow(
     quick = gains.crossover / lead
     outlook = max(gains.outlook * seen.speed / quick, NEAR / 4)
     wrong = (-atan2(error, outlook) - off + pi) % (2 * pi) - pi
-    most = gains.feedback * turn_gain(law, airspeed) * full_stick
-    feedback = max(-most, min(most, quick * wrong))
     near = max(0.0, min(1.0, 2.0 - abs(error) / NEAR)) * max(0.0, cos(off))
+    share = near * gains.feedback + (1.0 - near) * gains.recovery
+    most = share * turn_gain(law, airspeed) * full_stick
+    feedback = max(-most, min(most, quick * wrong))
     then = progress + lead * seen.speed
     soon = seen.speed * at(path, path.speed, then) / at(path, path.speed, progress)
     now = near * seen.speed * (at(path, path.turning, progress) + taught(path, learnt, progress))

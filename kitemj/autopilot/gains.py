@@ -18,7 +18,8 @@ class Gains(NamedTuple):
     error of the course is taken away; `waiting` [s]: of T, what sensors and hands take.
     `outlook`: the attractor is so many times farther ahead than is flown in 1/ω_c. `ease`: of a
     turn rate that is too high, how much is taken back at once. `feedback`: of full stick, what
-    errors may ask for; the rest is the path's. `learning`: of what errors asked for, how much is
+    errors may ask for on the path, which asks for most of the rest, and `recovery` far from it.
+    `learning`: of what errors asked for, how much is
     kept for the next lap.
     """
 
@@ -27,6 +28,7 @@ class Gains(NamedTuple):
     outlook: float = 2.0
     ease: float = 0.3
     feedback: float = 0.2
+    recovery: float = 0.5
     learning: float = 0.5
 
 

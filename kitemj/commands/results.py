@@ -1,4 +1,4 @@
-"""What `kitemj trim` and `kitemj stability` do with what they find: show, write, draw."""
+"""What commands such as `kitemj trim` do with what they find: show, write, draw."""
 
 import argparse
 from collections.abc import Callable, Mapping, Sequence
@@ -42,6 +42,7 @@ def give_results(
     figure: "Callable[[], Figure]",
     notes: Sequence[str] = (),
     show: bool = True,
+    about: "Mapping[str, object] | None" = None,
 ) -> None:
     """Prints tables and notes, writes the numbers, draws the figure: what of it was asked for.
 
@@ -51,6 +52,7 @@ def give_results(
     figure: draws it
     notes: sentences below the tables, the one that says most at the end
     show: whether the tables are short enough to be printed for people
+    about: what a file of numbers says it is about; None: the scenario of that name
     """
     from kitemj.flight.motion_table import about_flight
     from kitemj.flight.scenario import read_scenario
@@ -65,7 +67,7 @@ def give_results(
         for note in filter(None, notes):
             print(note)
     if args.output:
-        about = about_flight(read_scenario(args.scenario))
+        about = about or about_flight(read_scenario(args.scenario))
         write(args.output, tables, extra, args.overwrite, about)
     if args.save:
         save_figures({"": figure()}, args.save, args.overwrite)

@@ -58,14 +58,17 @@ class TurnRateLaw(NamedTuple):
 
 
 class PilotSettings(NamedTuple):
-    """All of [pilot]. What is not said of `law` is identified before the flight.
+    """All of [pilot].
+
+    Without a `law` it is identified before the flight; the `path` is the usual eight for the kite
+    unless one is said.
 
     `crossover`: ω_c T, how quickly course errors are taken away, times the delay of the whole
     loop: the one number from which all gains follow.
     """
 
     phases: tuple[PhaseName, ...] = ("climb", "path")
-    path: PathSettings = PathSettings()
+    path: PathSettings | None = None
     laps: Annotated[float, Quantity("", "of the path; 0: until the end", ge=0)] = 0.0
     hold: Annotated[float, Quantity("s", "how long a point is held; 0: until the end", ge=0)] = 0.0
     azimuth: Annotated[float, Quantity("rad", "of the point that is held")] = 0.0

@@ -1,0 +1,98 @@
+"""How a kite turns, identified: a test flight, and the law of turning fitted to it."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from kitemj.autopilot.identification import Identification
+from kitemj.autopilot.linear_law import LinearLaw, in_still_air, linear_law
+from kitemj.autopilot.probe import AT_REST, Probe, eights, signal_for, standing
+from kitemj.autopilot.turning_fit import SLOWEST, Fit, Flown, fit_law, looked_at
+from kitemj.errors import InputError
+from kitemj.flight.pilot_settings import TurnRateLaw
+from kitemj.physics.compiled import Array
+from kitemj.physics.parameters import Parameters
+
+SHORTEST = 10.0
+"""s; of a test flight that ended early, so much is needed."""
+DIGITS = 4
+"""Significant ones of a law that is flown by: more are not known, and the last bits would depend
+on the machine."""
+
+
+def identify(
+    parameters: Parameters, model: str = "lagrange", source: str = "parameters"
+) -> Identification:
+    """How a kite turns in its wind, by a test flight of `model`.
+
+    A kite that the linear system says does not turn to the hand that pulls is not sent on
+    eights: the signal is then flown about rest. Raises InputError, which names `source`, where
+    there is no equilibrium to begin at.
+    """
+    rough, signal = rough_law(parameters, source), signal_for(parameters, AT_REST)
+    small = standing(in_still_air(parameters), model)
+    swing, linear = None, rough
+    if small.clean:
+        amplitudes = amplitudes_of(small.flown, signal.frequencies)
+        linear = linear_law(parameters, signal.frequencies, amplitudes, model, source)
+        swing = fit_law(small.flown, exponent=1.0, part=1.0)
+    flown, fit = _fitted(parameters, rough, model)
+    plain = fit_law(flown.flown, by_way=False, exponent=1.0) if fit else None
+    known = source, model, parameters, turns(rough)
+    return Identification(*known, flown, fit, plain, swing, linear)
+
+
+def identified_law(parameters: Parameters) -> TurnRateLaw:
+    """The law of turning of a kite in its wind, by the Lagrangian model, to `DIGITS` digits.
+
+    The same whichever model is then flown. Remembered. Raises InputError, which says why, where
+    no law holds.
+    """
+    try:
+        hash(parameters)
+    except TypeError:  # a wind of somebody else's, with arrays
+        return _identified_law(parameters)
+    return _remembered(parameters)
+
+
+def _identified_law(parameters: Parameters) -> TurnRateLaw:
+    rough = rough_law(parameters, "identification")
+    flown, fit = _fitted(parameters, rough, "lagrange")
+    known = "this kite", "lagrange", parameters, turns(rough)
+    found = Identification(*known, flown, fit, fit, None, rough)
+    if fit is None or not found.holds:
+        raise InputError(f"{found.in_words}; say its law under [pilot.law], or steer it yourself")
+    return TurnRateLaw(*(float(f"{number:.{DIGITS}g}") for number in fit.law))
+
+
+_remembered = lru_cache(maxsize=64)(_identified_law)
+
+
+def rough_law(parameters: Parameters, source: str = "parameters") -> LinearLaw:
+    """What the linear system about rest says for a signal of equal sines: enough to steer by.
+
+    Raises InputError, which names `source`, where there is no equilibrium.
+    """
+    signal = signal_for(parameters, AT_REST)
+    return linear_law(parameters, signal.frequencies, signal.amplitudes, source=source)
+
+
+def turns(rough: LinearLaw) -> bool:
+    """Whether the kite turns to the hand that pulls, so that it may be steered."""
+    return rough.law.c1 > 0.0
+
+
+def _fitted(parameters: Parameters, rough: LinearLaw, model: str) -> tuple[Probe, Fit | None]:
+    """The test flight, and the law that fits it; None where it was too short."""
+    steered = turns(rough)
+    flown = eights(parameters, rough.law, model) if steered else standing(parameters, model)
+    t = flown.flown.t
+    enough = len(t) > 0 and t[-1] - t[0] >= SHORTEST + SLOWEST
+    return flown, fit_law(flown.flown) if enough else None
+
+
+def amplitudes_of(flown: Flown, frequencies: Array) -> Array:
+    """Amplitudes [rad] of δ at `frequencies` (k,) [rad/s], in a flight of whole waves of them."""
+    rows = looked_at(flown)
+    t, delta = flown.t[rows], flown.delta[rows]
+    return np.asarray(2.0 / len(t) * np.abs(np.exp(-1j * np.outer(frequencies, t)) @ delta))

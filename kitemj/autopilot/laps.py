@@ -1,0 +1,111 @@
+"""The phases of a path: climb to it, fly along it, untwist the lines."""
+
+from math import cos, inf, isnan, nan, pi, radians, tau
+
+from kitemj.autopilot.follow import NEAR, Estimate, follow, learn, length_of, nearest, vector_at
+from kitemj.autopilot.joining import course_to, joining
+from kitemj.autopilot.memory import Asked, Kite, Memory, to_heading
+from kitemj.autopilot.nose import heading_for
+from kitemj.autopilot.paths import Path
+from kitemj.autopilot.sphere import ahead_of, direction
+from kitemj.physics.vectors import dot, norm, plus, times
+
+LOST = 0.3
+"""rad off the path; who is farther away joins it anew."""
+ALIGNED = radians(40.0)
+"""Of the course to the path's, at most, when the path is joined."""
+SPARE = tau
+"""rad; of the twist that lines can take, so much is left when they are unwound."""
+UNWOUND = pi
+"""rad of twist; what is left after as many turns back."""
+
+
+def climb(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
+    """From wherever it is to the path, on a way that bends into it."""
+    return join(kite, seen, memory, kite.path)
+
+
+def joined(kite: Kite, seen: Estimate, memory: Memory) -> bool:
+    """Once the kite is near the path and flies as it goes."""
+    return off_path(kite.path, seen) < NEAR
+
+
+def path(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
+    """Along the path, and learning."""
+    return along(kite, seen, memory, kite.path)
+
+
+def flown(kite: Kite, seen: Estimate, memory: Memory) -> bool:
+    """Once the laps that were asked for are flown."""
+    return 0.0 < kite.settings.laps <= laps(kite, memory)
+
+
+def lost(kite: Kite, seen: Estimate, memory: Memory) -> bool:
+    """Once the kite is too far from the path to follow it."""
+    return distance(kite.path, seen, memory.progress) > LOST
+
+
+def wound_up(kite: Kite, seen: Estimate, memory: Memory) -> bool:
+    """Once the lines can take hardly one turn more."""
+    return abs(seen.twist) > kite.most_twist - SPARE
+
+
+def untwist(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
+    """Loops the other way, on a circle that is joined and followed as any path."""
+    circle = kite.unwinding[seen.twist > 0.0]
+    if isnan(memory.progress) or distance(circle, seen, memory.progress) > LOST:
+        if off_path(circle, seen) < NEAR:
+            return along(kite, seen, memory._replace(progress=nan), circle, learning=False)
+        return join(kite, seen, memory._replace(progress=nan), circle)
+    return along(kite, seen, memory, circle, learning=False)
+
+
+def untwisted(kite: Kite, seen: Estimate, memory: Memory) -> bool:
+    """Once the lines are straight again."""
+    return abs(seen.twist) < UNWOUND
+
+
+def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
+    """The way to `path`."""
+    way = joining(path, seen, memory.join)
+    course = course_to(direction(seen.azimuth, seen.elevation), way.aim)
+    guidance = to_heading(kite, seen, heading_for(course, seen), way.aim)
+    return Asked(guidance, memory._replace(join=way.progress))
+
+
+def along(kite: Kite, seen: Estimate, memory: Memory, path: Path, learning: bool = True) -> Asked:
+    """Along `path` from where it was followed last, else from the nearest place."""
+    before = memory.progress
+    if isnan(before):
+        p = direction(seen.azimuth, seen.elevation)
+        before = nearest(path, p, ahead_of(p, seen.course))
+        memory = memory._replace(began=before)
+    learnt = memory.learnt if learning else 0.0 * memory.learnt
+    asked = follow(path, kite.law, kite.gains, seen, before, learnt, kite.full)
+    if learning:
+        way = asked.progress - before
+        learnt = learn(path, kite.law, kite.gains, seen, asked, way, learnt)
+        memory = memory._replace(learnt=learnt)
+    return Asked(asked, memory._replace(progress=asked.progress))
+
+
+def laps(kite: Kite, memory: Memory) -> float:
+    """Laps of the path flown so far, not whole; not a number before it was joined."""
+    if isnan(memory.progress):
+        return memory.laps
+    return memory.laps + (memory.progress - memory.began) / length_of(kite.path)
+
+
+def off_path(path: Path, seen: Estimate) -> float:
+    """rad to the nearest place that is flown in about this direction; inf: none is."""
+    p = direction(seen.azimuth, seen.elevation)
+    ahead = ahead_of(p, seen.course)
+    progress = nearest(path, p, ahead)
+    aligned = dot(ahead, vector_at(path, path.ahead, progress)) > cos(ALIGNED)
+    return distance(path, seen, progress) if aligned else inf
+
+
+def distance(path: Path, seen: Estimate, progress: float) -> float:
+    """rad to the place `progress` [rad] of the path."""
+    p = direction(seen.azimuth, seen.elevation)
+    return norm(plus(p, times(-1.0, vector_at(path, path.points, progress))))

@@ -1,0 +1,75 @@
+"""What a guided flight is about: the kite that is flown, what is remembered, what is asked for."""
+
+from math import nan
+from typing import NamedTuple
+
+from kitemj.autopilot.follow import Estimate, Guidance
+from kitemj.autopilot.gains import Gains
+from kitemj.autopilot.nose import turn_rate_for, within_half_turn
+from kitemj.autopilot.paths import Path
+from kitemj.flight.pilot_settings import PhaseName, PilotSettings, TurnRateLaw
+from kitemj.physics.compiled import Array
+from kitemj.physics.vectors import Vector
+
+
+class Kite(NamedTuple):
+    """What does not change in a flight: the kite on its lines, how it turns, what it flies.
+
+    `unwinding`: the circles to the right and to the left on which lines are untwisted; `length`
+    [m] of the lines; `full` [rad]: largest |δ|; `low` [m]: how high G must stay; `top` [rad]: the
+    elevation of rest; `most_twist` [rad] that lines can take.
+    """
+
+    settings: PilotSettings
+    law: TurnRateLaw
+    gains: Gains
+    path: Path
+    unwinding: tuple[Path, Path]
+    length: float
+    full: float
+    low: float
+    top: float
+    most_twist: float
+
+
+class Memory(NamedTuple):
+    """What is remembered from tick to tick.
+
+    `step`: which of the settings' phases is on, `phase`: what is flown now, in which `t` [s] is
+    the time and `since` [s] its beginning. `progress` [rad] along the path, `laps` flown of it
+    before it was joined last, at `began` [rad]; `learnt` of it. `join` [rad]: where it is to be
+    joined. `pressed` [rad]: how far the nose is pressed down to land, once `at_edge`. `refused`:
+    the side to which a dive is turned up, 0: none.
+    """
+
+    step: int
+    phase: PhaseName
+    since: float
+    t: float
+    learnt: Array
+    progress: float = nan
+    began: float = nan
+    laps: float = 0.0
+    join: float = nan
+    pressed: float = 0.0
+    at_edge: bool = False
+    refused: float = 0.0
+
+
+class Asked(NamedTuple):
+    """What a phase asks for, and what is remembered."""
+
+    guidance: Guidance
+    memory: Memory
+
+
+def to_heading(
+    kite: Kite, seen: Estimate, heading: float, aim: Vector, about: float = 0.0
+) -> Guidance:
+    """To turn the nose to `heading` [rad], on the way to `aim`; there is no path.
+
+    It goes the way round that is nearest to `about` [rad]; 0: the shorter one.
+    """
+    off = about + within_half_turn(heading - seen.heading - about)
+    turning = turn_rate_for(off, kite.law, kite.gains, seen, kite.full)
+    return Guidance(turning, turning, turning, nan, nan, aim)

@@ -1,0 +1,86 @@
+"""The machine of phases: what is flown when, and when it is over.
+
+The phases of the settings are flown in turn, each until it is over. Two are also flown in between:
+`climb`, when the path was lost, and `untwist`, when the lines are wound up too far; both lead back.
+Whatever the phase, a dive that would end too low is turned up first.
+"""
+
+from collections.abc import Callable
+from math import nan
+from typing import NamedTuple
+
+from kitemj.autopilot import edges, laps
+from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate, Guidance
+from kitemj.autopilot.gains import turn_gain
+from kitemj.autopilot.memory import Asked, Kite, Memory
+from kitemj.autopilot.nose import lowest
+from kitemj.autopilot.sphere import direction
+from kitemj.flight.pilot_settings import PhaseName
+from kitemj.pilots.sight import LEFT, RIGHT
+
+
+class Phase(NamedTuple):
+    """What a phase asks for, whether it is over, and which is flown in between, and when."""
+
+    ask: Callable[[Kite, Estimate, Memory], Asked]
+    over: Callable[[Kite, Estimate, Memory], bool]
+    between: tuple[tuple[Callable[[Kite, Estimate, Memory], bool], PhaseName], ...] = ()
+
+
+PHASES: dict[PhaseName, Phase] = {
+    "launch": Phase(edges.launch, edges.airborne),
+    "climb": Phase(laps.climb, laps.joined),
+    "path": Phase(laps.path, laps.flown, ((laps.wound_up, "untwist"), (laps.lost, "climb"))),
+    "untwist": Phase(laps.untwist, laps.untwisted),
+    "hold": Phase(edges.hold, edges.held),
+    "land": Phase(edges.land, edges.never),
+}
+"""By name."""
+
+BACK: dict[PhaseName, PhaseName] = {"climb": "path", "untwist": "climb"}
+"""Where a phase leads that was flown in between."""
+
+
+def flown(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
+    """What the phase asks for that is on now, and what is remembered."""
+    memory = changed(kite, seen, memory)
+    asked = PHASES[memory.phase].ask(kite, seen, memory)
+    return turned_up(kite, seen, asked)
+
+
+def changed(kite: Kite, seen: Estimate, memory: Memory) -> Memory:
+    """The memory in the phase that is on now."""
+    named, phase = kite.settings.phases, PHASES[memory.phase]
+    if phase.over(kite, seen, memory):
+        if memory.phase != named[memory.step]:
+            return begun(kite, memory, BACK[memory.phase], memory.step)
+        if memory.step + 1 < len(named):
+            return begun(kite, memory, named[memory.step + 1], memory.step + 1)
+    for needed, other in phase.between:
+        if needed(kite, seen, memory):
+            return begun(kite, memory, other, memory.step)
+    return memory
+
+
+def begun(kite: Kite, memory: Memory, phase: PhaseName, step: int) -> Memory:
+    """The memory at the beginning of a phase."""
+    so_far = laps.laps(kite, memory) if memory.phase == "path" else memory.laps
+    memory = memory._replace(step=step, phase=phase, since=memory.t, laps=so_far)
+    return memory._replace(progress=nan, join=nan, pressed=0.0, at_edge=False)
+
+
+def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
+    """What is asked for; instead, in a dive that would end too low, the nose up.
+
+    To the side that is better; and that side is kept, since who changes his mind in a dive turns
+    neither way.
+    """
+    guidance, memory = asked
+    law, gains, full = kite.law, kite.gains, kite.full
+    low = {side: lowest(law, gains, seen, side, kite.length, full) for side in (LEFT, RIGHT)}
+    if max(low.values()) > kite.low or seen.elevation > kite.top:
+        return Asked(guidance, memory._replace(refused=0.0))
+    side = memory.refused or (RIGHT if low[RIGHT] > low[LEFT] else LEFT)
+    turning = side * gains.recovery * turn_gain(law, max(seen.airspeed, LEAST_AIRSPEED)) * full
+    up = Guidance(turning, turning, turning, nan, nan, direction(seen.azimuth, kite.top))
+    return Asked(up, memory._replace(refused=side))
