@@ -1,4 +1,4 @@
-"""Draws the figures of the manual: frames, lines, equilibrium, laws of the stick, ways home.
+"""Draws the figures of the manual: frames, lines, equilibrium, laws of the stick, ways, paths.
 
     python scripts/manual_figures.py [FOLDER]       (docs/figures if left out)
 
@@ -30,6 +30,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, control, line_motion, rest_ell
 from kitemj.physics.vectors import Vector, unrotated
+from path_figures import shapes, worked_out
 
 ROOT = Path(__file__).parent.parent
 Place = NDArray[np.float64]
@@ -290,6 +291,8 @@ FIGURES: dict[str, tuple[Callable[[Figure], None], tuple[float, float]]] = {
     "lines": (lines, (5.3, 6.4)),
     "stick": (stick, (7.0, 5.6)),
     "home": (home, (7.0, 7.6)),
+    "shapes": (shapes, (7.0, 6.4)),
+    "worked_out": (worked_out, (7.0, 8.2)),
 }
 
 

@@ -50,7 +50,17 @@ def check_path(settings: PathSettings, parameters: Parameters, law: TurnRateLaw)
 
 
 def asked_by(settings: PathSettings, parameters: Parameters, law: TurnRateLaw) -> Feasibility:
-    """What the path of `settings` asks for, whether the kite can do it or not."""
+    """What the path of `settings` asks for, whether the kite can do it or not.
+
+    Raises InputError for what is no path, and where there is no wind or no turning.
+    """
+    if parameters.wind.speed <= 0.0:
+        raise InputError(f"a path needs wind.speed > 0 m/s, got {parameters.wind.speed:g} m/s")
+    if law.c1 <= 0.0:
+        raise InputError(
+            f"a path needs a kite that turns to the hand that pulls, pilot.law.c1 > 0 1/(m rad), "
+            f"got {law.c1:g} 1/(m rad): let it hold or land"
+        )
     return feasibility(path_of(settings, glide_ratio(parameters)), parameters, law)
 
 
@@ -203,7 +213,7 @@ def _cure(settings: PathSettings, parameters: Parameters, law: TurnRateLaw) -> s
         kind = "circle" if settings.kind == "circle" else "lemniscate"
         usual = usual_path(parameters, law, kind)
     except InputError:
-        return "no size of it would do, nor any usual path in this wind"
+        return "no size of it would do, nor a usual path: try longer lines or another wind"
     where = f"elevation {degrees(usual.elevation):.0f} deg"
     return f"no size of it would do there; a {kind} of {_told(usual)} at {where} would"
 

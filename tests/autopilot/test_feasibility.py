@@ -306,5 +306,12 @@ def test_where_no_path_can_be_flown_that_is_said() -> None:
     with pytest.raises(InputError, match="no lemniscate suits this kite") as found:
         usual_path(of(1.0, 25.0, 6.5), slow)
     assert "\n" not in str(found.value)
-    with pytest.raises(InputError, match="nor any usual path"):
+    with pytest.raises(InputError, match="nor a usual path"):
         check_path(EIGHT, of(1.0, 25.0, 6.5), slow)
+
+
+def test_without_wind_or_turning_there_is_no_path() -> None:
+    with pytest.raises(InputError, match=r"wind.speed > 0 m/s, got 0 m/s"):
+        check_path(EIGHT, of(1.0, 25.0, 0.0), LAW)
+    with pytest.raises(InputError, match="turns to the hand that pulls"):
+        usual_path(of(1.0, 25.0, 6.5), LAW._replace(c1=-0.1))
