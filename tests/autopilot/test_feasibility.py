@@ -315,3 +315,22 @@ def test_without_wind_or_turning_there_is_no_path() -> None:
         check_path(EIGHT, of(1.0, 25.0, 0.0), LAW)
     with pytest.raises(InputError, match="turns to the hand that pulls"):
         usual_path(of(1.0, 25.0, 6.5), LAW._replace(c1=-0.1))
+
+
+def test_on_the_least_radius_the_stick_is_where_it_may_be_and_weight_counts() -> None:
+    parameters = of(1.0, 25.0, 5.0)
+    asked = asked_by(EIGHT, parameters, LAW)
+    path = with_weight(path_of(EIGHT, glide_ratio(parameters)), parameters)
+    i = int(np.argmin(np.linalg.norm(path.points - asked.stick_at, axis=1)))
+    turning, gain, by_weight = (float(each[i]) for each in turning_on(path, parameters, LAW))
+    most = np.sign(turning) * 5.0 * float(path.speed[i]) / asked.least
+    assert abs(by_weight) > 0.02 * abs(turning)
+    assert abs(most - by_weight) / gain == pytest.approx(AUTHORITY * parameters.stick.delta)
+
+
+def test_the_height_is_that_of_a_wing_tip_of_a_kite_that_strays() -> None:
+    parameters = of(1.0, 25.0, 6.5)
+    level = PathSettings(kind="circle", radius=radians(10.0), elevation=radians(34.0))
+    asked = asked_by(level, parameters, LAW)
+    tip = sqrt(2.0**2 + 0.4**2) / 2
+    assert asked.height == pytest.approx(25.0 * np.sin(radians(34.0 - 10.0 - 4.0)) - tip, rel=1e-4)
