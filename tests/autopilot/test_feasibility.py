@@ -7,17 +7,19 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kitemj.autopilot.autopilot import Autopilot
 from kitemj.autopilot.check_path import COMFORT, asked_by, check_path, scaled, usual_path
 from kitemj.autopilot.feasibility import AUTHORITY, feasibility, turning_on
-from kitemj.autopilot.follow import at, length_of
+from kitemj.autopilot.follow import at, follow, learn, length_of, nothing_learnt, stick_for
+from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.glide import airspeeds, glide_ratio, trim, with_weight
+from kitemj.autopilot.hands import moved
 from kitemj.autopilot.paths import path_of, periodic_slope
 from kitemj.autopilot.rehearse import on_path
+from kitemj.autopilot.truth import true_estimate
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.limits import touches_ground
-from kitemj.flight.pilot_settings import PathSettings, PilotSettings, TurnRateLaw
+from kitemj.flight.pilot_settings import PathSettings, TurnRateLaw
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
@@ -28,7 +30,7 @@ LAW = TurnRateLaw(0.29, -3.0, 0.4, 16.0, 2.8)
 EASY = PathSettings(width=radians(88.0), height=radians(28.5), elevation=radians(40.0))
 EIGHT = PathSettings(width=radians(82.0), height=radians(28.0), elevation=radians(38.0))
 CIRCLE = PathSettings(kind="circle", radius=radians(22.0), elevation=radians(42.0))
-HARD = CIRCLE._replace(radius=radians(13.0), elevation=radians(40.0))
+HARD = CIRCLE._replace(radius=radians(11.0), elevation=radians(40.0))
 
 FOUND_SPEED = 0.08  # of the speed; what is left out (sideslip, the lift's tilt) slows it by 4-5 %
 FOUND_STICK = 0.12  # of the stick's way; errors and the sideslip are not in what is worked out
@@ -66,22 +68,27 @@ class Laps(NamedTuple):
 
 
 def laps(settings: PathSettings, parameters: Parameters, until: float = 4.0) -> Laps:
-    """A flight that begins on the path; `speed` in winds."""
-    pilot = Autopilot(parameters, PilotSettings(path=settings), LAW)
-    flight, rows, down = on_path(parameters, pilot.path), [], False
+    """A flight that begins on the path, and is learnt from; `speed` in winds."""
+    path, gains = path_of(settings, glide_ratio(parameters)), Gains(0.4)
+    flight, rows, down = on_path(parameters, path), [], False
+    progress, learnt, full = 0.0, nothing_learnt(), parameters.stick.delta
     for _ in range(4000):
         motion = flight.result.motion
-        command = pilot.command(motion)
-        now = pilot.guided.lap, norm(motion.body.v_G_E) / parameters.wind.speed
-        rows.append((*now, motion.control.delta, pilot.guided.error))
+        seen = true_estimate(motion)
+        asked = follow(path, LAW, gains, seen, progress, learnt, full)
+        learnt = learn(path, LAW, gains, seen, asked, asked.progress - progress, learnt)
+        progress = asked.progress
+        speed = norm(motion.body.v_G_E) / parameters.wind.speed
+        rows.append((progress / length_of(path), speed, motion.control.delta, asked.error))
+        command = moved(stick_for(LAW, gains, seen, asked), motion.control, parameters.stick)
         try:
             down = touches_ground(parameters, flight.tick(command).motion)
         except FlightError:
             down = True
-        if down or pilot.guided.lap > until:
+        if down or progress > until * length_of(path):
             break
     lap, *others = np.array([row for row in rows if row[0] > 1.0 or down]).T
-    return Laps(lap * length_of(pilot.path), *others, down)
+    return Laps(lap * length_of(path), *others, down)
 
 
 def error(of: Array, beside: Array) -> float:
