@@ -97,7 +97,7 @@ def on_the_sky(axes: Axes, path: Path, seen: Values, parameters: Parameters) -> 
 
 def flown(parameters: Parameters, settings: PathSettings) -> tuple[Values, Values, Values, Values]:
     """Of the last lap of `LAPS`: its part, speed [winds], δ [rad], azimuth and elevation [rad]."""
-    pilot = Autopilot(parameters, PilotSettings(path=settings), LAW)
+    pilot = Autopilot(parameters, PilotSettings(("path",), settings), LAW)
     flight, rows = on_path(parameters, pilot.path), []
     while pilot.guided.lap < LAPS or not rows:
         motion = flight.result.motion
