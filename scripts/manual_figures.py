@@ -1,5 +1,5 @@
 """Draws the figures of the manual: frames, lines, equilibrium, laws of the stick, ways home,
-the law of turning.
+the law of turning, paths.
 
     python scripts/manual_figures.py [FOLDER]       (docs/figures if left out)
 
@@ -33,6 +33,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, control, line_motion, rest_ell
 from kitemj.physics.vectors import Vector, unrotated
+from path_figures import shapes, worked_out
 
 ROOT = Path(__file__).parent.parent
 Place = NDArray[np.float64]
@@ -299,6 +300,8 @@ FIGURES: dict[str, tuple[Callable[[Figure], None], tuple[float, float]]] = {
     "stick": (stick, (7.0, 5.6)),
     "home": (home, (7.0, 7.6)),
     "turning": (turning, SIZE),
+    "shapes": (shapes, (7.0, 6.4)),
+    "worked_out": (worked_out, (7.0, 8.2)),
 }
 
 

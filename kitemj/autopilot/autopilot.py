@@ -50,7 +50,7 @@ class Autopilot:
     def restart(self, t: float) -> None:
         """Begins anew with the first phase, at time `t` [s]."""
         first = self.settings.phases[0]
-        self.memory = Memory(0, first, t, t, self._rehearsed)
+        self.memory = Memory(0, first, t, t, 0.0, self._rehearsed)
         self.guided = Guided(first, nan, nan, nan, nan, 0.0)
         self._twist = Twist()
 
@@ -59,7 +59,9 @@ class Autopilot:
         if motion.t < self.memory.t:
             self.restart(motion.t)
         seen = self._look(motion)
-        asked, self.memory = flown(self.kite, seen, self.memory._replace(t=motion.t))
+        asked, self.memory = flown(
+            self.kite, seen, self.memory._replace(t=motion.t, delta=motion.control.delta)
+        )
         to, memory = asked.attractor, self.memory
         lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
         at = azimuth_of(to), elevation_of(to)
@@ -86,6 +88,7 @@ def kite_of(
         glide,
         parameters.lines.length,
         parameters.stick.delta,
+        parameters.stick.delta_dot,
         CLEAR + hypot(size.span, size.chord) / 2,
         pi / 2 - equilibrium(parameters).gamma,
         parameters.limits.twist_max,

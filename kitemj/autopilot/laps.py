@@ -82,7 +82,8 @@ def untwisted(kite: Kite, seen: Estimate, memory: Memory) -> bool:
 
 def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
     """The way to `path`; where there is none from here, up to the middle, until there is one."""
-    glider, now, way = glider_of(kite, seen), begun(seen), memory.way
+    glider, way = glider_of(kite, seen, memory), memory.way
+    now = begun(glider, seen)
     if not memory.t < memory.planned + PLANNED:
         lowest = kite.length * float(path.points[:, 2].min())
         way = soonest(glider, path, seen, way, max(kite.low, SAFE * lowest))
