@@ -10,12 +10,12 @@ from kitemj.autopilot.hands import moved
 from kitemj.autopilot.identify import identified_law
 from kitemj.autopilot.laps import laps
 from kitemj.autopilot.memory import Kite, Memory
-from kitemj.autopilot.nose import CLEAR
+from kitemj.autopilot.nose import CLEAR, most_delta
 from kitemj.autopilot.paths import Path, path_of
 from kitemj.autopilot.phases import flown
 from kitemj.autopilot.rehearse import rehearsed
-from kitemj.autopilot.sketch import HandLimits
-from kitemj.autopilot.sphere import azimuth_of, elevation_of
+from kitemj.autopilot.sketch import HandLimits, wind_felt
+from kitemj.autopilot.sphere import azimuth_of, direction, elevation_of
 from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
@@ -24,6 +24,9 @@ from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PathSettings, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.sight import Twist
+
+SLIP = 0.8
+"""Of the largest sideslip angle, what the pilot asks for; gusts take the rest."""
 
 
 class Autopilot:
@@ -69,8 +72,14 @@ class Autopilot:
         lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
         at = azimuth_of(to), elevation_of(to)
         self.guided = Guided(memory.phase, asked.error, lap, *at, seen.twist)
-        wish = stick_for(self.law, self.gains, seen, asked)
+        wish, most = stick_for(self.law, self.gains, seen, asked), self._most_delta(seen)
+        wish = max(-most, min(most, wish))
         return moved(wish, now, self._parameters.stick)
+
+    def _most_delta(self, seen: Estimate) -> float:
+        """So that the sideslip angle stays within its limit."""
+        inflow = wind_felt(seen, self.kite.length) * direction(seen.azimuth, seen.elevation).x
+        return most_delta(seen, inflow, SLIP * self._parameters.limits.beta_max)
 
     def _look(self, motion: Motion) -> Estimate:
         return true_estimate(motion)._replace(twist=2 * pi * self._twist.look(motion))
