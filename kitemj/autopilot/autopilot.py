@@ -19,7 +19,7 @@ from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.live import Command
-from kitemj.flight.pilot_settings import Guided, PilotSettings, TurnRateLaw
+from kitemj.flight.pilot_settings import Guided, PathSettings, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.sight import Twist
 
@@ -75,17 +75,13 @@ def kite_of(
 ) -> Kite:
     """What does not change in a flight. Raises InputError for a path that is none."""
     glide, size = glide_ratio(parameters), parameters.kite
-    path = settings.path or usual_path(parameters, law)
-    circle = path if path.kind == "circle" else usual_path(parameters, law, "circle")
+    along = {"climb", "path"} & set(settings.phases)
+    path = settings.path or (usual_path(parameters, law) if along else PathSettings())
     return Kite(
         settings,
         law,
         gains,
         path_of(path, glide),
-        (
-            path_of(circle._replace(turn="right"), glide),
-            path_of(circle._replace(turn="left"), glide),
-        ),
         glide,
         parameters.lines.length,
         parameters.stick.delta,

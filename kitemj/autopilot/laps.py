@@ -1,6 +1,6 @@
 """The phases of a path: climb to it, fly along it, untwist the lines."""
 
-from math import cos, inf, isnan, nan, pi, tau
+from math import cos, inf, isnan, nan
 
 from kitemj.autopilot.follow import (
     NEAR,
@@ -25,10 +25,6 @@ PLANNED = 0.3
 """s; so often the way to the path is looked for anew."""
 SAFE = 1.0
 """m, above the lowest height, that a way to the path must keep."""
-SPARE = tau
-"""rad; of the twist that lines can take, so much is left when they are unwound."""
-UNWOUND = pi
-"""rad of twist; what is left after as many turns back."""
 
 
 def climb(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
@@ -54,26 +50,6 @@ def flown(kite: Kite, seen: Estimate, memory: Memory) -> bool:
 def lost(kite: Kite, seen: Estimate, memory: Memory) -> bool:
     """Once the kite is too far from the path to follow it."""
     return distance(kite.path, seen, memory.progress) > LOST
-
-
-def wound_up(kite: Kite, seen: Estimate, memory: Memory) -> bool:
-    """Once the lines can take hardly one turn more."""
-    return abs(seen.twist) > kite.most_twist - SPARE
-
-
-def untwist(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
-    """Loops the other way, on a circle that is joined and followed as any path."""
-    circle = kite.unwinding[seen.twist > 0.0]
-    if isnan(memory.progress) or distance(circle, seen, memory.progress) > LOST:
-        if off_path(circle, seen) < NEAR:
-            return along(kite, seen, memory._replace(progress=nan), circle, learning=False)
-        return join(kite, seen, memory._replace(progress=nan), circle)
-    return along(kite, seen, memory, circle, learning=False)
-
-
-def untwisted(kite: Kite, seen: Estimate, memory: Memory) -> bool:
-    """Once the lines are straight again."""
-    return abs(seen.twist) < UNWOUND
 
 
 def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:

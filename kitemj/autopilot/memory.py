@@ -27,7 +27,6 @@ class Kite(NamedTuple):
     law: TurnRateLaw
     gains: Gains
     path: Path
-    unwinding: tuple[Path, Path]
     glide: float
     length: float
     full: float
@@ -59,6 +58,7 @@ class Memory(NamedTuple):
     pressed: float = 0.0
     at_edge: bool = False
     refused: float = 0.0
+    goal: float = nan
 
 
 class Asked(NamedTuple):

@@ -2,14 +2,15 @@
 
 The phases of the settings are flown in turn, each until it is over. Two are also flown in between:
 `climb`, when the path was lost, and `untwist`, when the lines are wound up too far; both lead back.
-Whatever the phase, a dive that would end too low is turned up first.
+Whatever the phase, a dive that would end too low is turned up first,
+except by a kite that lands at the edge.
 """
 
 from collections.abc import Callable
 from math import cos, nan
 from typing import NamedTuple
 
-from kitemj.autopilot import edges, laps
+from kitemj.autopilot import edges, laps, untwist
 from kitemj.autopilot.follow import LEAST_AIRSPEED, NEAR, Estimate
 from kitemj.autopilot.gains import turn_gain
 from kitemj.autopilot.joining import NOWHERE
@@ -31,8 +32,8 @@ class Phase(NamedTuple):
 PHASES: dict[PhaseName, Phase] = {
     "launch": Phase(edges.launch, edges.airborne),
     "climb": Phase(laps.climb, laps.joined),
-    "path": Phase(laps.path, laps.flown, ((laps.wound_up, "untwist"), (laps.lost, "climb"))),
-    "untwist": Phase(laps.untwist, laps.untwisted),
+    "path": Phase(laps.path, laps.flown, ((untwist.wound_up, "untwist"), (laps.lost, "climb"))),
+    "untwist": Phase(untwist.untwist, untwist.untwisted),
     "hold": Phase(edges.hold, edges.held),
     "land": Phase(edges.land, edges.never),
 }
@@ -67,7 +68,9 @@ def begun(kite: Kite, memory: Memory, phase: PhaseName, step: int) -> Memory:
     """The memory at the beginning of a phase."""
     so_far = laps.laps(kite, memory) if memory.phase == "path" else memory.laps
     memory = memory._replace(step=step, phase=phase, since=memory.t, laps=so_far)
-    return memory._replace(progress=nan, way=NOWHERE, planned=nan, pressed=0.0, at_edge=False)
+    return memory._replace(
+        progress=nan, way=NOWHERE, planned=nan, pressed=0.0, at_edge=False, goal=nan
+    )
 
 
 def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
@@ -78,7 +81,7 @@ def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
     """
     guidance, memory = asked
     on_path = memory.phase == "path" and abs(guidance.error) < NEAR
-    if on_path or cos(seen.course) > 0.0:
+    if on_path or memory.at_edge or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
     glider = glider_of(kite, seen)
     low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}
