@@ -1,9 +1,9 @@
 """The autopilot: sensors, phases and guidance between motion and stick."""
 
-from math import hypot, nan, pi
+from math import hypot, isnan, nan, pi
 
 from kitemj.autopilot.check_path import usual_path
-from kitemj.autopilot.follow import Estimate, stick_for
+from kitemj.autopilot.follow import stick_for
 from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.glide import glide_ratio
 from kitemj.autopilot.hands import moved
@@ -21,7 +21,7 @@ from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PathSettings, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
-from kitemj.pilots.sight import Twist
+from kitemj.pilots.sight import turned
 
 
 class Autopilot:
@@ -29,6 +29,7 @@ class Autopilot:
 
     What it knows of the wind it learns beforehand, in the steady wind of the parameters: how the
     kite turns, and how it flies its path. In flight it is told lines and angles only.
+    `memory` is all that it remembers of a flight: put back, it flies on to the same bits.
     """
 
     def __init__(
@@ -51,14 +52,15 @@ class Autopilot:
         first = self.settings.phases[0]
         self.memory = Memory(0, first, t, t, self._rehearsed)
         self.guided = Guided(first, nan, nan, nan, nan, 0.0)
-        self._twist = Twist()
 
     def command(self, motion: Motion) -> Command:
         """The stick, which asks for δ̈."""
         if motion.t < self.memory.t:
             self.restart(motion.t)
-        seen = self._look(motion)
-        asked, self.memory = flown(self.kite, seen, self.memory._replace(t=motion.t))
+        seen = true_estimate(motion)
+        memory = wound(self.memory._replace(t=motion.t), seen.heading)
+        seen = seen._replace(twist=memory.twist)
+        asked, self.memory = flown(self.kite, seen, memory)
         to, memory = asked.attractor, self.memory
         lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
         at = azimuth_of(to), elevation_of(to)
@@ -66,8 +68,11 @@ class Autopilot:
         wish = stick_for(self.law, self.gains, seen, asked)
         return moved(wish, motion.control, self._parameters.stick)
 
-    def _look(self, motion: Motion) -> Estimate:
-        return true_estimate(motion)._replace(twist=2 * pi * self._twist.look(motion))
+
+def wound(memory: Memory, heading: float) -> Memory:
+    """The memory with the nose at `heading` [rad]; each turn of it twists the lines once."""
+    since = 0.0 if isnan(memory.heading) else turned(heading - memory.heading)
+    return memory._replace(heading=heading, twist=memory.twist + since)
 
 
 def kite_of(

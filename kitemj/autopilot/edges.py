@@ -4,12 +4,19 @@ from math import cos, pi, radians, sin
 
 from kitemj.autopilot.follow import Estimate
 from kitemj.autopilot.memory import Asked, Kite, Memory, to_heading, to_point
-from kitemj.autopilot.sphere import direction
+from kitemj.autopilot.nose import leaning
+from kitemj.autopilot.sketch import DOWNWIND
+from kitemj.autopilot.sphere import course, direction, tangential
 from kitemj.flight.live import TICK
+from kitemj.physics.vectors import Vector, norm, times
 from kitemj.pilots.sight import LEFT, RIGHT
 
 AIRBORNE = radians(25.0)
 """Elevation at which a launch is over."""
+TRIM, MOST = 0.1, 0.5
+"""rad/s of the nose for each rad of azimuth that stays missing, and rad at most."""
+CLOSE, FLYING = radians(20.0), 3.0
+"""rad of azimuth, m/s of air; farther off, or slower, nothing is summed up."""
 EDGE = 0.85
 """Of the angle from downwind at which the kite hangs; beyond, the strong wind is left behind."""
 ASIDE, STILL = radians(30.0), 1.0
@@ -33,8 +40,25 @@ def airborne(kite: Kite, seen: Estimate, memory: Memory) -> bool:
 
 
 def hold(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
-    """At the azimuth of the settings, as high as the wind lifts the kite."""
-    return to_point(kite, seen, memory, kite.settings.azimuth)
+    """At the azimuth of the settings, as high as the wind lifts the kite.
+
+    Beside the middle the nose points away from downwind, or the wind would blow the kite back;
+    what is missing then is summed up.
+    """
+    azimuth = kite.settings.azimuth
+    missing, pressed = azimuth - seen.azimuth, memory.pressed
+    if abs(missing) < CLOSE and seen.airspeed > FLYING:
+        pressed = max(-MOST, min(MOST, pressed + TRIM * missing * TICK))
+    hangs = away_from_downwind(direction(azimuth, seen.elevation))
+    lean = hangs + leaning(seen, azimuth) + pressed
+    guidance = to_heading(kite, seen, lean, direction(azimuth, kite.top))
+    return Asked(guidance, memory._replace(pressed=pressed))
+
+
+def away_from_downwind(p: Vector) -> float:
+    """The heading [rad] with which a kite without weight hangs at `p`."""
+    away = tangential(p, times(-1.0, DOWNWIND))
+    return course(p, times(1.0 / max(norm(away), 1e-9), away))
 
 
 def held(kite: Kite, seen: Estimate, memory: Memory) -> bool:

@@ -18,9 +18,8 @@ from kitemj.physics.vectors import Vector
 class Kite(NamedTuple):
     """What does not change in a flight: the kite on its lines, how it turns, what it flies.
 
-    `unwinding`: the circles to the right and to the left on which lines are untwisted; the `glide`
-    ratio; `length` [m] of the lines; `full` [rad]: largest |δ|; `low` [m]: how high G must stay;
-    `top` [rad]: the elevation of rest; `most_twist` [rad] that lines can take.
+    The `glide` ratio; `length` [m] of the lines; `full` [rad]: largest |δ|; `low` [m]: how high
+    G must stay; `top` [rad]: the elevation of rest; `most_twist` [rad] that lines can take.
     """
 
     settings: PilotSettings
@@ -42,7 +41,9 @@ class Memory(NamedTuple):
     the time and `since` [s] its beginning. `progress` [rad] along the path, `laps` flown of it
     before it was joined last, at `began` [rad]; `learnt` of it. `way`: to the path, as `planned`
     at that time [s]. `pressed` [rad]: how far the nose is pressed down to land, once
-    `at_edge`. `refused`: the side to which a dive is turned up, 0: none.
+    `at_edge`, or leans to a point. `refused`: the side to which a dive is turned up, 0: none. `heading` [rad] of the
+    last look, `twist` [rad] with all turns since the first; `goal` [rad]: the twist at which a
+    loop is over; not a number where none is flown.
     """
 
     step: int
@@ -58,6 +59,8 @@ class Memory(NamedTuple):
     pressed: float = 0.0
     at_edge: bool = False
     refused: float = 0.0
+    heading: float = nan
+    twist: float = 0.0
     goal: float = nan
 
 

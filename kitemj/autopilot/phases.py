@@ -2,12 +2,12 @@
 
 The phases of the settings are flown in turn, each until it is over. Two are also flown in between:
 `climb`, when the path was lost, and `untwist`, when the lines are wound up too far; both lead back.
-Whatever the phase, a dive that would end too low is turned up first,
-except by a kite that lands at the edge.
+Whatever the phase, a dive that would end too low is turned up first; not at the edge,
+to land, nor in a loop, which has begun where there is room for it.
 """
 
 from collections.abc import Callable
-from math import cos, nan
+from math import cos, isnan, nan
 from typing import NamedTuple
 
 from kitemj.autopilot import edges, laps, untwist
@@ -22,20 +22,56 @@ from kitemj.pilots.sight import LEFT, RIGHT
 
 
 class Phase(NamedTuple):
-    """What a phase asks for, whether it is over, and which is flown in between, and when."""
+    """What a phase does and until when, in words; what it asks for, and whether it is over.
 
+    `between`: which phases come in between, and when.
+    """
+
+    does: str
+    until: str
     ask: Callable[[Kite, Estimate, Memory], Asked]
     over: Callable[[Kite, Estimate, Memory], bool]
     between: tuple[tuple[Callable[[Kite, Estimate, Memory], bool], PhaseName], ...] = ()
 
 
 PHASES: dict[PhaseName, Phase] = {
-    "launch": Phase(edges.launch, edges.airborne),
-    "climb": Phase(laps.climb, laps.joined),
-    "path": Phase(laps.path, laps.flown, ((untwist.wound_up, "untwist"), (laps.lost, "climb"))),
-    "untwist": Phase(untwist.untwist, untwist.untwisted),
-    "hold": Phase(edges.hold, edges.held),
-    "land": Phase(edges.land, edges.never),
+    "launch": Phase(
+        "from the ground at the edge: the nose up, leaning to the middle",
+        "25° high, or 0.8 of the height of rest",
+        edges.launch,
+        edges.airborne,
+    ),
+    "climb": Phase(
+        "to the path, on a way that bends into it and keeps off the ground",
+        "beside the path, along it, and turning as it turns",
+        laps.climb,
+        laps.joined,
+    ),
+    "path": Phase(
+        "along the path, learning from lap to lap",
+        "`laps` are flown",
+        laps.path,
+        laps.flown,
+        ((untwist.wound_up, "untwist"), (laps.lost, "climb")),
+    ),
+    "untwist": Phase(
+        "up to the middle, and from there loops against the twist",
+        "less than half a turn of twist is left",
+        untwist.untwist,
+        untwist.untwisted,
+    ),
+    "hold": Phase(
+        "at `azimuth`, as high as the wind lifts the kite",
+        "`hold` seconds are over",
+        edges.hold,
+        edges.held,
+    ),
+    "land": Phase(
+        "low to the edge on `side`, the nose out of the window, and down",
+        "the ground",
+        edges.land,
+        edges.never,
+    ),
 }
 """By name."""
 
@@ -81,7 +117,8 @@ def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
     """
     guidance, memory = asked
     on_path = memory.phase == "path" and abs(guidance.error) < NEAR
-    if on_path or memory.at_edge or cos(seen.course) > 0.0:
+    looping = not isnan(memory.goal)
+    if on_path or looping or memory.at_edge or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
     glider = glider_of(kite, seen)
     low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}

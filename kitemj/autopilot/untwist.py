@@ -11,8 +11,8 @@ SPARE = tau
 """rad; of the twist that lines can take, so much is left when they are unwound."""
 UNWOUND = pi
 """rad of twist; what is left after as many turns back."""
-LOOP = 0.7
-"""Of full stick, with which a loop is flown."""
+LOOP = 1.0
+"""Of full stick, with which a loop is flown: the least height is lost."""
 NEARLY = radians(60.0)
 """rad; what is left of a loop comes by itself while the stick goes back."""
 STEEPER = 1.3
