@@ -5,6 +5,7 @@ from math import cos, inf, isnan, nan
 from kitemj.autopilot.follow import (
     NEAR,
     Estimate,
+    at,
     follow,
     learn,
     length_of,
@@ -19,6 +20,8 @@ from kitemj.autopilot.sphere import ahead_of, direction
 from kitemj.flight.live import TICK
 from kitemj.physics.vectors import dot, norm, plus, times
 
+MATCHED = 1.0
+"""rad/s between how the nose turns and how the path does, at most, when it is joined."""
 LOST = 0.3
 """rad off the path; who is farther away joins it anew."""
 PLANNED = 0.3
@@ -34,7 +37,7 @@ def climb(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
 
 def joined(kite: Kite, seen: Estimate, memory: Memory) -> bool:
     """Once the kite is near the path and flies as it goes."""
-    return off_path(kite.path, seen) < NEAR
+    return beside(kite.path, seen)
 
 
 def path(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
@@ -71,19 +74,18 @@ def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
     return Asked(ask_for(asked.turning, aim, asked.error), memory._replace(way=left))
 
 
-def along(kite: Kite, seen: Estimate, memory: Memory, path: Path, learning: bool = True) -> Asked:
+def along(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
     """Along `path` from where it was followed last, else from the nearest place."""
     before = memory.progress
     if isnan(before):
         p = direction(seen.azimuth, seen.elevation)
         before = nearest(path, p, ahead_of(p, seen.course))
         memory = memory._replace(began=before)
-    learnt = memory.learnt if learning else 0.0 * memory.learnt
+    learnt = memory.learnt
     asked = follow(path, kite.law, kite.gains, seen, before, learnt, kite.full)
-    if learning:
-        way = asked.progress - before
-        learnt = learn(path, kite.law, kite.gains, seen, asked, way, learnt)
-        memory = memory._replace(learnt=learnt)
+    way = asked.progress - before
+    learnt = learn(path, kite.law, kite.gains, seen, asked, way, learnt)
+    memory = memory._replace(learnt=learnt)
     return Asked(asked, memory._replace(progress=asked.progress))
 
 
@@ -94,13 +96,14 @@ def laps(kite: Kite, memory: Memory) -> float:
     return memory.laps + (memory.progress - memory.began) / length_of(kite.path)
 
 
-def off_path(path: Path, seen: Estimate) -> float:
-    """rad to the nearest place that is flown in about this direction; inf: none is."""
+def beside(path: Path, seen: Estimate) -> bool:
+    """Whether the kite is near `path`, flies as it goes, and turns about as it turns."""
     p = direction(seen.azimuth, seen.elevation)
     ahead = ahead_of(p, seen.course)
     progress = nearest(path, p, ahead)
     aligned = dot(ahead, vector_at(path, path.ahead, progress)) > cos(ALIGNED)
-    return distance(path, seen, progress) if aligned else inf
+    apart = seen.speed * at(path, path.turning, progress) - seen.turning
+    return aligned and abs(apart) < MATCHED and distance(path, seen, progress) < NEAR
 
 
 def distance(path: Path, seen: Estimate, progress: float) -> float:

@@ -41,9 +41,9 @@ class Memory(NamedTuple):
     the time and `since` [s] its beginning. `progress` [rad] along the path, `laps` flown of it
     before it was joined last, at `began` [rad]; `learnt` of it. `way`: to the path, as `planned`
     at that time [s]. `pressed` [rad]: how far the nose is pressed down to land, once
-    `at_edge`, or leans to a point. `refused`: the side to which a dive is turned up, 0: none. `heading` [rad] of the
-    last look, `twist` [rad] with all turns since the first; `goal` [rad]: the twist at which a
-    loop is over; not a number where none is flown.
+    `at_edge`, or leans to a point. `refused`: the side to which a dive is turned up, 0: none.
+    `heading` [rad] of the last look, `twist` [rad] with all turns since the first; `goal` [rad]: the
+    twist at which a loop is over; not a number where none is flown.
     """
 
     step: int

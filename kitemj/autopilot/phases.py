@@ -116,7 +116,7 @@ def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
     neither way.
     """
     guidance, memory = asked
-    on_path = memory.phase == "path" and abs(guidance.error) < NEAR
+    on_path = not isnan(guidance.progress) and abs(guidance.error) < NEAR
     looping = not isnan(memory.goal)
     if on_path or looping or memory.at_edge or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
