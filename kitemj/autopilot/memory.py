@@ -42,7 +42,7 @@ class Memory(NamedTuple):
     before it was joined last, at `began` [rad]; `learnt` of it. `way`: to the path, as `planned`
     at that time [s]. `pressed` [rad]: how far the nose is pressed down to land, once
     `at_edge`, or leans to a point. `refused`: the side to which a dive is turned up, 0: none.
-    `heading` [rad] of the last look, `twist` [rad] with all turns since the first; `goal` [rad]: the
+    `heading` [rad] of the last look, `twist` [rad] with all turns; `goal` [rad]: the
     twist at which a loop is over; not a number where none is flown.
     """
 
