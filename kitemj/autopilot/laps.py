@@ -26,8 +26,8 @@ LOST = 0.3
 """rad off the path; who is farther away joins it anew."""
 PLANNED = 0.3
 """s; so often the way to the path is looked for anew."""
-SAFE = 1.0
-"""m, above the lowest height, that a way to the path must keep."""
+SAFE = 0.7
+"""Of the height of the path's lowest place, what a way to it must keep."""
 
 
 def climb(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
@@ -57,9 +57,11 @@ def lost(kite: Kite, seen: Estimate, memory: Memory) -> bool:
 
 def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
     """The way to `path`; where there is none from here, up to the middle, until there is one."""
-    glider, now, way = glider_of(kite, seen), begun(seen), memory.way
+    glider, way = glider_of(kite, seen, memory), memory.way
+    now = begun(glider, seen)
     if not memory.t < memory.planned + PLANNED:
-        way = soonest(glider, path, seen, way, kite.low + SAFE)
+        lowest = kite.length * float(path.points[:, 2].min())
+        way = soonest(glider, path, seen, way, max(kite.low, SAFE * lowest))
         memory = memory._replace(planned=memory.t)
     left = way._replace(first=max(0.0, way.first - TICK))
     if not way.after < inf:

@@ -120,7 +120,7 @@ def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
     looping = not isnan(memory.goal)
     if on_path or looping or memory.at_edge or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
-    glider = glider_of(kite, seen)
+    glider = glider_of(kite, seen, memory)
     low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}
     if max(low.values()) > kite.low:
         return Asked(guidance, memory._replace(refused=0.0))
