@@ -19,8 +19,7 @@ from kitemj.pilots.sight import LEFT, RIGHT
 class Kite(NamedTuple):
     """What does not change in a flight: the kite on its lines, how it turns, what it flies.
 
-    `unwinding`: the circles to the right and to the left on which lines are untwisted, if the
-    kite can fly any; the `glide` ratio; `length` [m] of the lines; `full` [rad]: largest |δ|, and
+    The `glide` ratio; `length` [m] of the lines; `full` [rad]: largest |δ|, and
     the limits of the `hands`; `low` [m]: how high G must stay; `top` [rad]: the elevation of
     rest; `most_twist` [rad] that lines can take.
     """
@@ -29,7 +28,6 @@ class Kite(NamedTuple):
     law: TurnRateLaw
     gains: Gains
     path: Path
-    unwinding: tuple[Path, Path] | None
     glide: float
     length: float
     full: float
@@ -46,8 +44,9 @@ class Memory(NamedTuple):
     the time and `since` [s] its beginning; `delta` [rad], `delta_dot` [rad/s]: where the hands
     are. `progress` [rad] along the path, `laps` flown of it before it was joined last, at `began`
     [rad]; `learnt` of it. `way`: to the path, as `planned` at that time [s]. `pressed` [rad]: how
-    far the nose is pressed down to land, once `at_edge`. `refused`: the side to which a dive is
-    turned up, 0: none.
+    far the nose is pressed down to land, once `at_edge`, or leans to a point. `refused`: the side
+    to which a dive is turned up, 0: none. `heading` [rad] of the last look, `twist` [rad] with all
+    turns; `goal` [rad]: the twist at which a loop is over; not a number where none is flown.
     """
 
     step: int
@@ -65,6 +64,9 @@ class Memory(NamedTuple):
     pressed: float = 0.0
     at_edge: bool = False
     refused: float = 0.0
+    heading: float = nan
+    twist: float = 0.0
+    goal: float = nan
 
 
 class Asked(NamedTuple):
