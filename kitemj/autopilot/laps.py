@@ -1,6 +1,6 @@
 """The phases of a path: climb to it, fly along it, untwist the lines."""
 
-from math import cos, inf, isnan, nan, pi, tau
+from math import cos, inf, isnan, nan
 
 from kitemj.autopilot.follow import (
     NEAR,
@@ -13,7 +13,7 @@ from kitemj.autopilot.follow import (
     vector_at,
 )
 from kitemj.autopilot.joining import ALIGNED, approach, pointed, soonest
-from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of, to_point
+from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of, to_point, upward
 from kitemj.autopilot.paths import Path
 from kitemj.autopilot.sketch import begun
 from kitemj.autopilot.sphere import ahead_of, direction
@@ -22,16 +22,12 @@ from kitemj.physics.vectors import dot, norm, plus, times
 
 MATCHED = 1.0
 """rad/s between how the nose turns and how the path does, at most, when it is joined."""
-LOST = 0.3
+LOST = 0.2
 """rad off the path; who is farther away joins it anew."""
 PLANNED = 0.3
 """s; so often the way to the path is looked for anew."""
-SAFE = 0.7
+SAFE = 0.9
 """Of the height of the path's lowest place, what a way to it must keep."""
-SPARE = tau
-"""rad; of the twist that lines can take, so much is left when they are unwound."""
-UNWOUND = pi
-"""rad of twist; what is left after as many turns back."""
 
 
 def climb(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
@@ -59,27 +55,6 @@ def lost(kite: Kite, seen: Estimate, memory: Memory) -> bool:
     return distance(kite.path, seen, memory.progress) > LOST
 
 
-def wound_up(kite: Kite, seen: Estimate, memory: Memory) -> bool:
-    """Once the lines can take hardly one turn more."""
-    return kite.unwinding is not None and abs(seen.twist) > kite.most_twist - SPARE
-
-
-def untwist(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
-    """Loops the other way, on a circle that is joined and followed as any path."""
-    assert kite.unwinding
-    circle = kite.unwinding[seen.twist > 0.0]
-    if isnan(memory.progress) or distance(circle, seen, memory.progress) > LOST:
-        if beside(circle, seen):
-            return along(kite, seen, memory._replace(progress=nan), circle, learning=False)
-        return join(kite, seen, memory._replace(progress=nan), circle)
-    return along(kite, seen, memory, circle, learning=False)
-
-
-def untwisted(kite: Kite, seen: Estimate, memory: Memory) -> bool:
-    """Once the lines are straight again, or no circle suits the kite."""
-    return kite.unwinding is None or abs(seen.twist) < UNWOUND
-
-
 def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
     """The way to `path`; where there is none from here, up to the middle, until there is one."""
     glider, way = glider_of(kite, seen, memory), memory.way
@@ -90,7 +65,11 @@ def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
         memory = memory._replace(planned=memory.t)
     left = way._replace(first=max(0.0, way.first - TICK))
     if not way.after < inf:
-        return to_point(kite, seen, memory._replace(way=left), 0.0)
+        memory = memory._replace(way=left)
+        if cos(seen.course) >= 0.0:
+            return to_point(kite, seen, memory._replace(refused=0.0), 0.0)
+        up, side, _ = upward(kite, seen, memory)
+        return Asked(up, memory._replace(refused=side))
     if way.first > 0.0:
         turning = pointed(glider, now, way.heading)
         aim = now.nose
@@ -101,19 +80,18 @@ def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
     return Asked(ask_for(asked.turning, aim, asked.error), memory._replace(way=left))
 
 
-def along(kite: Kite, seen: Estimate, memory: Memory, path: Path, learning: bool = True) -> Asked:
+def along(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
     """Along `path` from where it was followed last, else from the nearest place."""
     before = memory.progress
     if isnan(before):
         p = direction(seen.azimuth, seen.elevation)
         before = nearest(path, p, ahead_of(p, seen.course))
         memory = memory._replace(began=before)
-    learnt = memory.learnt if learning else 0.0 * memory.learnt
+    learnt = memory.learnt
     asked = follow(path, kite.law, kite.gains, seen, before, learnt, kite.full)
-    if learning:
-        way = asked.progress - before
-        learnt = learn(path, kite.law, kite.gains, seen, asked, way, learnt)
-        memory = memory._replace(learnt=learnt)
+    way = asked.progress - before
+    learnt = learn(path, kite.law, kite.gains, seen, asked, way, learnt)
+    memory = memory._replace(learnt=learnt)
     return Asked(asked, memory._replace(progress=asked.progress))
 
 

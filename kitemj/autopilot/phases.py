@@ -2,39 +2,72 @@
 
 The phases of the settings are flown in turn, each until it is over. Two are also flown in between:
 `climb`, when the path was lost, and `untwist`, when the lines are wound up too far; both lead back.
-Whatever the phase, a dive that would end too low is turned up first.
+Whatever the phase, a dive that would end too low is turned up first; not at the edge,
+to land, nor in a loop, which has begun where there is room for it.
 """
 
 from collections.abc import Callable
 from math import cos, isnan, nan
 from typing import NamedTuple
 
-from kitemj.autopilot import edges, laps
-from kitemj.autopilot.follow import LEAST_AIRSPEED, NEAR, Estimate
-from kitemj.autopilot.gains import turn_gain
+from kitemj.autopilot import edges, laps, untwist
+from kitemj.autopilot.follow import NEAR, Estimate
 from kitemj.autopilot.joining import NOWHERE
-from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of
-from kitemj.autopilot.sketch import lowest
-from kitemj.autopilot.sphere import direction
+from kitemj.autopilot.memory import Asked, Kite, Memory, upward
 from kitemj.flight.pilot_settings import PhaseName
-from kitemj.pilots.sight import LEFT, RIGHT
 
 
 class Phase(NamedTuple):
-    """What a phase asks for, whether it is over, and which is flown in between, and when."""
+    """What a phase does and until when, in words; what it asks for, and whether it is over.
 
+    `between`: which phases come in between, and when.
+    """
+
+    does: str
+    until: str
     ask: Callable[[Kite, Estimate, Memory], Asked]
     over: Callable[[Kite, Estimate, Memory], bool]
     between: tuple[tuple[Callable[[Kite, Estimate, Memory], bool], PhaseName], ...] = ()
 
 
 PHASES: dict[PhaseName, Phase] = {
-    "launch": Phase(edges.launch, edges.airborne),
-    "climb": Phase(laps.climb, laps.joined),
-    "path": Phase(laps.path, laps.flown, ((laps.wound_up, "untwist"), (laps.lost, "climb"))),
-    "untwist": Phase(laps.untwist, laps.untwisted),
-    "hold": Phase(edges.hold, edges.held),
-    "land": Phase(edges.land, edges.never),
+    "launch": Phase(
+        "from the ground at the edge: the nose up, leaning to the middle",
+        "25° high, or 0.8 of the height of rest",
+        edges.launch,
+        edges.airborne,
+    ),
+    "climb": Phase(
+        "to the path, on a way that bends into it and keeps off the ground",
+        "beside the path, along it, and turning as it turns",
+        laps.climb,
+        laps.joined,
+    ),
+    "path": Phase(
+        "along the path, learning from lap to lap",
+        "`laps` are flown",
+        laps.path,
+        laps.flown,
+        ((untwist.wound_up, "untwist"), (laps.lost, "climb")),
+    ),
+    "untwist": Phase(
+        "up to the middle, and from there loops against the twist",
+        "less than half a turn of twist is left",
+        untwist.untwist,
+        untwist.untwisted,
+    ),
+    "hold": Phase(
+        "at `azimuth`, as high as the wind lifts the kite",
+        "`hold` seconds are over",
+        edges.hold,
+        edges.held,
+    ),
+    "land": Phase(
+        "low to the edge on `side`, the nose out of the window, and down",
+        "the ground",
+        edges.land,
+        edges.never,
+    ),
 }
 """By name."""
 
@@ -67,25 +100,19 @@ def begun(kite: Kite, memory: Memory, phase: PhaseName, step: int) -> Memory:
     """The memory at the beginning of a phase."""
     so_far = laps.laps(kite, memory) if memory.phase == "path" else memory.laps
     memory = memory._replace(step=step, phase=phase, since=memory.t, laps=so_far)
-    return memory._replace(progress=nan, way=NOWHERE, planned=nan, pressed=0.0, at_edge=False)
+    return memory._replace(
+        progress=nan, way=NOWHERE, planned=nan, pressed=0.0, at_edge=False, goal=nan
+    )
 
 
 def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
-    """What is asked for; instead, in a dive off the path that would end too low, the nose up.
-
-    To the side that is better; and that side is kept, since who changes his mind in a dive turns
-    neither way.
-    """
+    """What is asked for; instead, in a dive off the path that would end too low, the nose up."""
     guidance, memory = asked
     on_path = not isnan(guidance.progress) and abs(guidance.error) < NEAR
-    if on_path or cos(seen.course) > 0.0:
+    looping = not isnan(memory.goal)
+    if on_path or looping or memory.at_edge or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
-    glider = glider_of(kite, seen, memory)
-    low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}
-    if max(low.values()) > kite.low:
+    up, side, low = upward(kite, seen, memory)
+    if low > kite.low:
         return Asked(guidance, memory._replace(refused=0.0))
-    airspeed = max(seen.airspeed, LEAST_AIRSPEED)
-    side = memory.refused or (RIGHT if low[RIGHT] > low[LEFT] else LEFT)
-    turning = side * kite.gains.recovery * turn_gain(kite.law, airspeed) * kite.full
-    up = direction(seen.azimuth, kite.top)
-    return Asked(ask_for(turning, up, nan), memory._replace(refused=side))
+    return Asked(up, memory._replace(refused=side))
