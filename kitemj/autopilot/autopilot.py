@@ -3,7 +3,7 @@
 from math import hypot, nan, pi
 
 from kitemj.autopilot.check_path import usual_path
-from kitemj.autopilot.follow import Estimate, stick_for
+from kitemj.autopilot.follow import stick_for
 from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.glide import glide_ratio
 from kitemj.autopilot.hands import moved
@@ -11,18 +11,17 @@ from kitemj.autopilot.identify import identified_law
 from kitemj.autopilot.laps import laps
 from kitemj.autopilot.memory import Kite, Memory
 from kitemj.autopilot.nose import CLEAR
+from kitemj.autopilot.observer import Observer
 from kitemj.autopilot.paths import Path, path_of
 from kitemj.autopilot.phases import flown
 from kitemj.autopilot.rehearse import rehearsed
 from kitemj.autopilot.sphere import azimuth_of, elevation_of
-from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PathSettings, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
-from kitemj.pilots.sight import Twist
 
 
 class Autopilot:
@@ -45,6 +44,7 @@ class Autopilot:
         self.kite = kite_of(parameters, settings, self.law, self.gains)
         self.path = self.kite.path
         self._rehearsed = rehearsed(parameters, self.path, self.law, self.gains)
+        self._observer = Observer(parameters, self.law, settings.sensors, settings.seed)
         self.restart(0.0)
 
     def restart(self, t: float) -> None:
@@ -52,13 +52,12 @@ class Autopilot:
         first = self.settings.phases[0]
         self.memory = Memory(0, first, t, t, self._rehearsed)
         self.guided = Guided(first, nan, nan, nan, nan, 0.0)
-        self._twist = Twist()
 
     def command(self, motion: Motion) -> Command:
         """The stick, which asks for δ̈."""
         if motion.t < self.memory.t:
             self.restart(motion.t)
-        seen = self._look(motion)
+        seen = self._observer.look(motion)
         asked, self.memory = flown(self.kite, seen, self.memory._replace(t=motion.t))
         to, memory = asked.attractor, self.memory
         lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
@@ -66,9 +65,6 @@ class Autopilot:
         self.guided = Guided(memory.phase, asked.error, lap, *at, seen.twist)
         wish = stick_for(self.law, self.gains, seen, asked)
         return moved(wish, motion.control, self._parameters.stick)
-
-    def _look(self, motion: Motion) -> Estimate:
-        return true_estimate(motion)._replace(twist=2 * pi * self._twist.look(motion))
 
 
 def kite_of(
