@@ -46,9 +46,9 @@ TRIM = 0.1
 """Of the airspeed; so far from trim a kite is that follows a path, and so wrong is its pull."""
 OVERHEAD = 0.1
 """Cosine of the elevation; nearer to the zenith a measured heading says nothing."""
-PUSHES = 4.0
+PUSHES = 3.0
 """(m/s)/√s of velocity that the model does not know of."""
-TURNS, BIASES = 1.5, 3.0
+TURNS, BIASES = 0.8, 1.5
 """(rad/s)/√s of turning, and of what the law does not know, per its square root of time."""
 BLOWS = 1.5
 """(m/s)/√s; a gust of 0.3 in 6.5 m/s at 1 rad/s goes 2 m/s in a second."""
