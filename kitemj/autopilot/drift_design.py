@@ -43,8 +43,8 @@ SEEN = radians(1.0)
 """rad; noise of angles as a real kite's sensors have it, of each of 50 measurements a second."""
 SHAKEN = 0.05
 """rad/√s; the air, as unequal lines would shake the kite."""
-WANDERS = radians(0.02), radians(0.02)
-"""rad/√s; of the wind's direction, which changes by some degrees in minutes, and the heading."""
+WANDERS = radians(0.1), radians(0.1)
+"""rad/√s; 1° in 100 s, of the wind's direction, and of the heading."""
 LOST = 1e-6
 """Of the largest singular value; below it δ does not move a mode that grows."""
 
