@@ -86,6 +86,7 @@ def kite_of(
             path_of(circle._replace(turn="right"), glide),
             path_of(circle._replace(turn="left"), glide),
         ),
+        glide,
         parameters.lines.length,
         parameters.stick.delta,
         CLEAR + hypot(size.span, size.chord) / 2,

@@ -3,8 +3,7 @@
 from math import cos, pi, radians
 
 from kitemj.autopilot.follow import Estimate
-from kitemj.autopilot.memory import Asked, Kite, Memory, to_heading
-from kitemj.autopilot.nose import leaning
+from kitemj.autopilot.memory import Asked, Kite, Memory, to_heading, to_point
 from kitemj.autopilot.sphere import direction
 from kitemj.flight.live import TICK
 from kitemj.pilots.sight import LEFT, RIGHT
@@ -68,9 +67,3 @@ def land(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
 def never(kite: Kite, seen: Estimate, memory: Memory) -> bool:
     """A landing ends on the ground."""
     return False
-
-
-def to_point(kite: Kite, seen: Estimate, memory: Memory, azimuth: float) -> Asked:
-    """The nose up, leaning to `azimuth` [rad]."""
-    aim = direction(azimuth, kite.top)
-    return Asked(to_heading(kite, seen, leaning(seen, azimuth), aim), memory)

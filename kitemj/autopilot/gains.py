@@ -28,7 +28,7 @@ class Gains(NamedTuple):
     outlook: float = 2.0
     ease: float = 0.3
     feedback: float = 0.2
-    recovery: float = 0.5
+    recovery: float = 0.7
     learning: float = 0.5
 
 

@@ -1,19 +1,30 @@
 """The phases of a path: climb to it, fly along it, untwist the lines."""
 
-from math import cos, inf, isnan, nan, pi, radians, tau
+from math import cos, inf, isnan, nan, pi, tau
 
-from kitemj.autopilot.follow import NEAR, Estimate, follow, learn, length_of, nearest, vector_at
-from kitemj.autopilot.joining import course_to, joining
-from kitemj.autopilot.memory import Asked, Kite, Memory, to_heading
-from kitemj.autopilot.nose import heading_for
+from kitemj.autopilot.follow import (
+    NEAR,
+    Estimate,
+    follow,
+    learn,
+    length_of,
+    nearest,
+    vector_at,
+)
+from kitemj.autopilot.joining import ALIGNED, approach, pointed, soonest
+from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of, to_point
 from kitemj.autopilot.paths import Path
+from kitemj.autopilot.sketch import begun
 from kitemj.autopilot.sphere import ahead_of, direction
+from kitemj.flight.live import TICK
 from kitemj.physics.vectors import dot, norm, plus, times
 
 LOST = 0.3
 """rad off the path; who is farther away joins it anew."""
-ALIGNED = radians(40.0)
-"""Of the course to the path's, at most, when the path is joined."""
+PLANNED = 0.3
+"""s; so often the way to the path is looked for anew."""
+SAFE = 1.0
+"""m, above the lowest height, that a way to the path must keep."""
 SPARE = tau
 """rad; of the twist that lines can take, so much is left when they are unwound."""
 UNWOUND = pi
@@ -66,11 +77,22 @@ def untwisted(kite: Kite, seen: Estimate, memory: Memory) -> bool:
 
 
 def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
-    """The way to `path`."""
-    way = joining(path, seen, memory.join)
-    course = course_to(direction(seen.azimuth, seen.elevation), way.aim)
-    guidance = to_heading(kite, seen, heading_for(course, seen), way.aim)
-    return Asked(guidance, memory._replace(join=way.progress))
+    """The way to `path`; where there is none from here, up to the middle, until there is one."""
+    glider, now, way = glider_of(kite, seen), begun(seen), memory.way
+    if not memory.t < memory.planned + PLANNED:
+        way = soonest(glider, path, seen, way, kite.low + SAFE)
+        memory = memory._replace(planned=memory.t)
+    left = way._replace(first=max(0.0, way.first - TICK))
+    if not way.after < inf:
+        return to_point(kite, seen, memory._replace(way=left), 0.0)
+    if way.first > 0.0:
+        turning = pointed(glider, now, way.heading)
+        aim = now.nose
+        return Asked(ask_for(turning, aim, nan), memory._replace(way=left))
+    asked = approach(glider, path, now, way.progress)
+    aim = vector_at(path, path.points, asked.progress)
+    left = left._replace(progress=asked.progress)
+    return Asked(ask_for(asked.turning, aim, asked.error), memory._replace(way=left))
 
 
 def along(kite: Kite, seen: Estimate, memory: Memory, path: Path, learning: bool = True) -> Asked:

@@ -5,8 +5,11 @@ from typing import NamedTuple
 
 from kitemj.autopilot.follow import Estimate, Guidance
 from kitemj.autopilot.gains import Gains
-from kitemj.autopilot.nose import turn_rate_for, within_half_turn
+from kitemj.autopilot.joining import NOWHERE, Joining
+from kitemj.autopilot.nose import leaning, turn_rate_for, within_half_turn
 from kitemj.autopilot.paths import Path
+from kitemj.autopilot.sketch import Glider, wind_felt
+from kitemj.autopilot.sphere import direction
 from kitemj.flight.pilot_settings import PhaseName, PilotSettings, TurnRateLaw
 from kitemj.physics.compiled import Array
 from kitemj.physics.vectors import Vector
@@ -15,9 +18,9 @@ from kitemj.physics.vectors import Vector
 class Kite(NamedTuple):
     """What does not change in a flight: the kite on its lines, how it turns, what it flies.
 
-    `unwinding`: the circles to the right and to the left on which lines are untwisted; `length`
-    [m] of the lines; `full` [rad]: largest |δ|; `low` [m]: how high G must stay; `top` [rad]: the
-    elevation of rest; `most_twist` [rad] that lines can take.
+    `unwinding`: the circles to the right and to the left on which lines are untwisted; the `glide`
+    ratio; `length` [m] of the lines; `full` [rad]: largest |δ|; `low` [m]: how high G must stay;
+    `top` [rad]: the elevation of rest; `most_twist` [rad] that lines can take.
     """
 
     settings: PilotSettings
@@ -25,6 +28,7 @@ class Kite(NamedTuple):
     gains: Gains
     path: Path
     unwinding: tuple[Path, Path]
+    glide: float
     length: float
     full: float
     low: float
@@ -37,9 +41,9 @@ class Memory(NamedTuple):
 
     `step`: which of the settings' phases is on, `phase`: what is flown now, in which `t` [s] is
     the time and `since` [s] its beginning. `progress` [rad] along the path, `laps` flown of it
-    before it was joined last, at `began` [rad]; `learnt` of it. `join` [rad]: where it is to be
-    joined. `pressed` [rad]: how far the nose is pressed down to land, once `at_edge`. `refused`:
-    the side to which a dive is turned up, 0: none.
+    before it was joined last, at `began` [rad]; `learnt` of it. `way`: to the path, as `planned`
+    at that time [s]. `pressed` [rad]: how far the nose is pressed down to land, once
+    `at_edge`. `refused`: the side to which a dive is turned up, 0: none.
     """
 
     step: int
@@ -50,7 +54,8 @@ class Memory(NamedTuple):
     progress: float = nan
     began: float = nan
     laps: float = 0.0
-    join: float = nan
+    way: Joining = NOWHERE
+    planned: float = nan
     pressed: float = 0.0
     at_edge: bool = False
     refused: float = 0.0
@@ -72,4 +77,21 @@ def to_heading(
     """
     off = about + within_half_turn(heading - seen.heading - about)
     turning = turn_rate_for(off, kite.law, kite.gains, seen, kite.full)
-    return Guidance(turning, turning, turning, nan, nan, aim)
+    return ask_for(turning, aim, nan)
+
+
+def ask_for(turning: float, aim: Vector, error: float) -> Guidance:
+    """To turn so [rad/s], now and soon, on the way to `aim`; the path is `error` [rad] away."""
+    return Guidance(turning, turning, turning, nan, error, aim)
+
+
+def to_point(kite: Kite, seen: Estimate, memory: Memory, azimuth: float) -> Asked:
+    """The nose up, leaning to `azimuth` [rad]."""
+    aim = direction(azimuth, kite.top)
+    return Asked(to_heading(kite, seen, leaning(seen, azimuth), aim), memory)
+
+
+def glider_of(kite: Kite, seen: Estimate) -> Glider:
+    """The kite as a sketch knows it, in the wind that it feels now."""
+    wind = wind_felt(seen, kite.length) / kite.length
+    return Glider(wind, kite.glide, kite.length, kite.law, kite.gains, kite.full)

@@ -6,14 +6,15 @@ Whatever the phase, a dive that would end too low is turned up first.
 """
 
 from collections.abc import Callable
-from math import nan
+from math import cos, nan
 from typing import NamedTuple
 
 from kitemj.autopilot import edges, laps
-from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate, Guidance
+from kitemj.autopilot.follow import LEAST_AIRSPEED, NEAR, Estimate
 from kitemj.autopilot.gains import turn_gain
-from kitemj.autopilot.memory import Asked, Kite, Memory
-from kitemj.autopilot.nose import lowest
+from kitemj.autopilot.joining import NOWHERE
+from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of
+from kitemj.autopilot.sketch import lowest
 from kitemj.autopilot.sphere import direction
 from kitemj.flight.pilot_settings import PhaseName
 from kitemj.pilots.sight import LEFT, RIGHT
@@ -66,21 +67,25 @@ def begun(kite: Kite, memory: Memory, phase: PhaseName, step: int) -> Memory:
     """The memory at the beginning of a phase."""
     so_far = laps.laps(kite, memory) if memory.phase == "path" else memory.laps
     memory = memory._replace(step=step, phase=phase, since=memory.t, laps=so_far)
-    return memory._replace(progress=nan, join=nan, pressed=0.0, at_edge=False)
+    return memory._replace(progress=nan, way=NOWHERE, planned=nan, pressed=0.0, at_edge=False)
 
 
 def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
-    """What is asked for; instead, in a dive that would end too low, the nose up.
+    """What is asked for; instead, in a dive off the path that would end too low, the nose up.
 
     To the side that is better; and that side is kept, since who changes his mind in a dive turns
     neither way.
     """
     guidance, memory = asked
-    law, gains, full = kite.law, kite.gains, kite.full
-    low = {side: lowest(law, gains, seen, side, kite.length, full) for side in (LEFT, RIGHT)}
-    if max(low.values()) > kite.low or seen.elevation > kite.top:
+    on_path = memory.phase == "path" and abs(guidance.error) < NEAR
+    if on_path or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
+    glider = glider_of(kite, seen)
+    low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}
+    if max(low.values()) > kite.low:
+        return Asked(guidance, memory._replace(refused=0.0))
+    airspeed = max(seen.airspeed, LEAST_AIRSPEED)
     side = memory.refused or (RIGHT if low[RIGHT] > low[LEFT] else LEFT)
-    turning = side * gains.recovery * turn_gain(law, max(seen.airspeed, LEAST_AIRSPEED)) * full
-    up = Guidance(turning, turning, turning, nan, nan, direction(seen.azimuth, kite.top))
-    return Asked(up, memory._replace(refused=side))
+    turning = side * kite.gains.recovery * turn_gain(kite.law, airspeed) * kite.full
+    up = direction(seen.azimuth, kite.top)
+    return Asked(ask_for(turning, up, nan), memory._replace(refused=side))

@@ -1,0 +1,126 @@
+"""A flight sketched ahead: a kite without mass that glides where its nose points.
+
+Enough to see whether a way to a path ends on it, and how low a dive comes.
+"""
+
+from math import acos, sqrt
+from typing import NamedTuple
+
+from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate
+from kitemj.autopilot.gains import Gains, lead_time, turn_gain
+from kitemj.autopilot.sphere import ahead_of, direction, right_of, tangential
+from kitemj.flight.pilot_settings import TurnRateLaw
+from kitemj.physics.compiled import compiled
+from kitemj.physics.vectors import Vector, dot, minus, norm, plus, times
+
+DOWNWIND = Vector(1.0, 0.0, 0.0)
+STEP, LONG = 0.1, 8.0
+"""s; of a sketch."""
+SLOWEST = 0.02
+"""Of the wind's speed; a kite that would fly backwards along its course is said to fly so."""
+
+
+class Glider(NamedTuple):
+    """What a sketch knows: `wind` [rad/s], its speed over the length of the lines; `glide` ratio;
+    `length` [m] of the lines; how the kite turns, the gains, and the largest |δ| [rad]."""
+
+    wind: float
+    glide: float
+    length: float
+    law: TurnRateLaw
+    gains: Gains
+    full: float
+
+
+class Sketch(NamedTuple):
+    """An instant: direction `p`, where the nose points (a unit vector across it), turn rate."""
+
+    p: Vector
+    nose: Vector
+    turning: float
+
+
+@compiled
+def wind_felt(seen: Estimate, length: float) -> float:
+    """The wind's speed [m/s] by the air and the way of a kite on lines of `length` [m].
+
+    v_a² = |v - W x|², solved for W, with x downwind: airspeed comes from the pull.
+    """
+    p = direction(seen.azimuth, seen.elevation)
+    speed = seen.speed * length
+    along = speed * ahead_of(p, seen.course).x
+    return float(along + sqrt(max(0.0, along**2 + seen.airspeed**2 - speed**2)))
+
+
+@compiled
+def begun(seen: Estimate) -> Sketch:
+    """The sketch of the present."""
+    p = direction(seen.azimuth, seen.elevation)
+    return Sketch(p, ahead_of(p, seen.heading), seen.turning)
+
+
+@compiled
+def velocity(kite: Glider, now: Sketch) -> Vector:
+    """rad/s across the sky: through the air where the nose points, and with the air."""
+    across = tangential(now.p, DOWNWIND)
+    pulled = kite.glide * max(0.0, now.p.x)
+    return times(kite.wind, plus(times(pulled, now.nose), across))
+
+
+@compiled
+def airspeed(kite: Glider, p: Vector) -> float:
+    """m/s at `p`."""
+    inflow = kite.wind * kite.length * max(0.0, p.x)
+    return max(LEAST_AIRSPEED, inflow * sqrt(1.0 + kite.glide**2))
+
+
+@compiled
+def most_turning(kite: Glider, p: Vector) -> float:
+    """rad/s that errors may ask for at `p`."""
+    return kite.gains.recovery * turn_gain(kite.law, airspeed(kite, p)) * kite.full
+
+
+@compiled
+def nose_for(kite: Glider, p: Vector, ahead: Vector) -> Vector:
+    """Where the nose points of a kite that goes `ahead` over the ground at `p`, as it drifts there.
+
+    Where no nose does that, the one that comes nearest.
+    """
+    across = tangential(p, DOWNWIND)
+    along = dot(across, ahead)
+    room = (kite.glide * max(0.0, p.x)) ** 2 - dot(across, across) + along**2
+    speed = max(SLOWEST, along + sqrt(max(0.0, room)))
+    nose = minus(times(speed, ahead), across)
+    return times(1.0 / max(norm(nose), 1e-9), nose)
+
+
+@compiled
+def off_nose(now: Sketch, wish: Vector) -> float:
+    """rad by which the nose must turn right to point to `wish`, the shorter way."""
+    angle = acos(max(-1.0, min(1.0, dot(now.nose, wish))))
+    return float(angle if dot(wish, right_of(now.p, now.nose)) >= 0.0 else -angle)
+
+
+@compiled
+def flown_on(kite: Glider, now: Sketch, asked: float) -> Sketch:
+    """One `STEP` later, while a turn rate is `asked` [rad/s]."""
+    lag = lead_time(kite.law, kite.gains, airspeed(kite, now.p))
+    turning = now.turning + (asked - now.turning) * min(1.0, STEP / lag)
+    p = plus(now.p, times(STEP, velocity(kite, now)))
+    p = times(1.0 / norm(p), p)
+    nose = plus(now.nose, times(STEP * turning, right_of(now.p, now.nose)))
+    nose = tangential(p, nose)
+    return Sketch(p, times(1.0 / max(norm(nose), 1e-9), nose), turning)
+
+
+@compiled
+def lowest(kite: Glider, seen: Estimate, side: float) -> float:
+    """The least height [m] of a kite that is turned to one `side` (right +1) until it rises."""
+    now = begun(seen)
+    least = now.p.z
+    for _ in range(round(LONG / STEP)):
+        now = flown_on(kite, now, side * most_turning(kite, now.p))
+        if now.p.z > least and velocity(kite, now).z > 0.0:
+            break
+        least = min(least, now.p.z)
+    return float(kite.length * least)
