@@ -130,7 +130,7 @@ def drift_design(parameters: Parameters, model: str = "lagrange") -> DriftDesign
     double = np.zeros((7, 7))  # x, δ, δ̇ and δ̈, which a tick holds
     double[:4, :4], double[:4, 4:], double[4, 5], double[5, 6] = kite.A, kite.B, 1.0, 1.0
     step = expm(TICK * double)
-    rest = -np.linalg.solve(kite.A, kite.B[:, 0])
+    rest: Array = -np.linalg.solve(kite.A, kite.B[:, 0]).astype(float)
     azimuth = float(kite.C[0] @ rest + kite.D[0, 0])
     L = filter_gains(kite, step[:4, :4])
     return DriftDesign(kite, K, L, step[:6, :6], step[:6, 6], azimuth, rest)

@@ -1,15 +1,22 @@
 """Holds and parks a kite that drifts away from the hand that pulls, and barely turns."""
 
-from math import degrees
+from collections.abc import Callable
+from math import degrees, nan, pi
 
 import numpy as np
 
 from kitemj.autopilot.drift_design import QUICK, DriftDesign, drift_design
 from kitemj.autopilot.follow import Estimate
 from kitemj.autopilot.gains import ACTUATOR
+from kitemj.autopilot.hands import moved
+from kitemj.autopilot.linear_law import in_still_air
+from kitemj.autopilot.truth import true_estimate
+from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
-from kitemj.flight.live import TICK
-from kitemj.flight.pilot_settings import PilotSettings
+from kitemj.flight.equilibrium import equilibrium
+from kitemj.flight.live import TICK, Command
+from kitemj.flight.pilot_settings import Guided, PilotSettings
+from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
 
@@ -41,10 +48,8 @@ class DriftHold:
 
     def restart(self) -> None:
         """Knows nothing of the kite."""
-        self._x, self._last = np.zeros(6), None
-
-    _x: np.ndarray[tuple[int], np.dtype[np.float64]]
-    _last: Control | None
+        self._x: Array = np.zeros(6)
+        self._last: Control | None = None
 
     @property
     def wind(self) -> float:
@@ -62,7 +67,7 @@ class DriftHold:
         rate = max(-limits.delta_dot, min(limits.delta_dot, -float(now.K @ z)))
         return max(-limits.delta, min(limits.delta, control.delta + AHEAD * rate))
 
-    def _believe(self, seen: np.ndarray[tuple[int], np.dtype[np.float64]], now: Control) -> None:
+    def _believe(self, seen: Array, now: Control) -> None:
         """The kite a tick later, and corrected by what is seen of it."""
         kite = self.design.sideways
         if self._last is None:
@@ -108,3 +113,37 @@ def check_slow(settings: PilotSettings, parameters: Parameters) -> None:
             f"within ±{degrees(reach(parameters, design)):.0f}° of azimuth and sway slowly there"
         )
     check_reach(parameters, design, settings.azimuth)
+
+
+class DriftPilot:
+    """An autopilot of such a kite: it holds the point of the settings until the end.
+
+    `look`: what the pilot believes of a motion; it is asked once a tick.
+    """
+
+    def __init__(
+        self,
+        parameters: Parameters,
+        settings: PilotSettings,
+        look: Callable[[Motion], Estimate] = true_estimate,
+    ) -> None:
+        """Raises InputError as `check_slow`."""
+        check_slow(settings, parameters)
+        self.settings, self._limits, self._look = settings, parameters.stick, look
+        self.hold = DriftHold(parameters, settings.azimuth)
+        self._top = pi / 2 - equilibrium(in_still_air(parameters)).gamma
+        self.restart(0.0)
+
+    def restart(self, t: float) -> None:
+        """Begins anew at time `t` [s]."""
+        self.hold.restart()
+        self._t = t
+        self.guided = Guided("hold", nan, nan, self.settings.azimuth, self._top, 0.0)
+
+    def command(self, motion: Motion) -> Command:
+        """The stick, which asks for δ̈."""
+        if motion.t < self._t:
+            self.restart(motion.t)
+        self._t, seen = motion.t, self._look(motion)
+        self.guided = self.guided._replace(twist=seen.twist)
+        return moved(self.hold.wish(seen, motion.control), motion.control, self._limits)
