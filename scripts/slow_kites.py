@@ -14,6 +14,7 @@ import numpy as np
 
 from kitemj.autopilot.drift_design import drift_design
 from kitemj.dynamics.formulation import MODELS
+from kitemj.equilibria.trim import equilibria
 from kitemj.errors import InputError
 from kitemj.files import new_file
 from kitemj.physics.parameter_files import parameter_set
@@ -34,6 +35,8 @@ from slow_kites_flights import (
 )
 
 SETS = ("laksa", "thesis")
+WINDS = (5.0, 6.0, 7.0, 8.0, 9.0)
+"""m/s."""
 PERIODS = (20.0, 40.0, 80.0, 160.0)
 """s."""
 LONG = 300.0
@@ -71,11 +74,13 @@ def main() -> int:
 def all_tables() -> Iterator[Table]:
     """Each when it is flown."""
     yield stands()
+    yield reaches()
     yield swings()
+    yield steadied()
+    yield agreement()
+    yield other_winds()
     for name in SETS:
         yield holds(name)
-    yield agreement()
-    yield steadied()
 
 
 def stands() -> Table:
@@ -90,6 +95,23 @@ def stands() -> Table:
         numbers = (f"{x:.1f}" for x in at[:4])
         rows.append((name, *numbers, f"{at.turning:.2f}"))
     return Table("full stick from the top, held", heads, rows)
+
+
+def reaches() -> Table:
+    """How far full stick holds the kite aside, by wind."""
+    rows: list[tuple[Cell, ...]] = []
+    for name in SETS:
+        known, row = parameter_set(name), []
+        for wind in WINDS:
+            steady = known._replace(wind=known.wind._replace(speed=wind))
+            try:
+                row.append(
+                    f"{-degrees(equilibria(steady, None, -steady.stick.delta)[0].azimuth):.1f}"
+                )
+            except InputError:
+                row.append("none")
+        rows.append((name, *row))
+    return Table("azimuth of full stick [deg]", ("set", *(f"{w:g} m/s" for w in WINDS)), rows)
 
 
 def swings() -> Table:
@@ -132,6 +154,22 @@ def in_gusts(parameters: Parameters, amplitude: float, omega: float) -> Paramete
     """The set in gusts of an `amplitude` [1] at `omega` [rad/s]."""
     wind = parameters.wind._replace(gust_amplitude=amplitude, gust_frequency=omega)
     return parameters._replace(wind=wind)
+
+
+def other_winds() -> Table:
+    """Held at 0 from 8° aside by a pilot who believes in 7 m/s, in winds from 3° aside."""
+    rows: list[tuple[Cell, ...]] = []
+    for name in SETS:
+        known, row = parameter_set(name), []
+        for speed in WINDS:
+            wind = known.wind._replace(speed=speed, azimuth=radians(3.0))
+            real = known._replace(wind=wind)
+            flight = flight_of(real, aside(real, radians(8.0)))
+            flown, ending = held(flight, 0.0, 180.0, 0.0, drift_design(known))
+            row.append(ending or f"{measured(flown, 0.0, ending).largest:.2f}")
+        rows.append((name, *row))
+    title = "largest azimuth in the last of 3 min [deg], gains made for 7 m/s, wind from 3° aside"
+    return Table(title, ("set", *(f"{w:g} m/s" for w in WINDS)), rows)
 
 
 def agreement() -> Table:

@@ -64,7 +64,7 @@ class Stand(NamedTuple):
 def aside(parameters: Parameters, azimuth: float) -> State:
     """Rest at the top, turned about z_E to `azimuth` [rad], right positive."""
     x, _ = trimmed(in_still_air(parameters))
-    return State(Angles(float(x[0]) - azimuth, *map(float, x[1:4])), state_of(x).q_dot)
+    return State(Angles(float(x[0]) + azimuth, *map(float, x[1:4])), state_of(x).q_dot)
 
 
 def flight_of(parameters: Parameters, start: State, model: str = "lagrange") -> SteeredFlight:
