@@ -196,7 +196,7 @@ def steadied() -> Table:
         mode = growing(design)[0]
         up, down, phase, later, disk = margins(design)
         gain = f"+{up:.1f}" + (f", {down:.1f}" if np.isfinite(down) else "")
-        stopped = f"{degrees(caught(parameters)):.1f}" if mode.real > 0.0 else "all"
+        stopped = f"{degrees(caught(parameters)):.1f}" if mode.real > 0.0 else "stable alone"
         alone = f"{mode.real:.3f} ± {abs(mode.imag):.2f}i"
         rows.append((name, alone, gain, f"{phase:.0f}", f"{later:.2f}", f"{disk:.2f}", stopped))
     return Table("margins at the lines, and the largest swing that is caught", heads, rows)
