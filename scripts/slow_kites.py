@@ -187,7 +187,7 @@ def steadied() -> Table:
     """`laksa` made less and less stable: the loop's margins, and what the hold still catches."""
     heads = (
         *("C_lβ", "least stable mode alone [1/s]", "gain margin [dB]", "phase [deg]"),
-        *("delay [s]", "disk [1]", "caught [deg]"),
+        *("delay [s]", "disk [1]", "caught [deg]", "what ends a larger one"),
     )
     rows: list[tuple[Cell, ...]] = []
     sets = {f"laksa, {value:g}": with_roll(value) for value in UNSTABLE}
@@ -196,9 +196,14 @@ def steadied() -> Table:
         mode = growing(design)[0]
         up, down, phase, later, disk = margins(design)
         gain = f"+{up:.1f}" + (f", {down:.1f}" if np.isfinite(down) else "")
-        stopped = f"{degrees(caught(parameters)):.1f}" if mode.real > 0.0 else "stable alone"
+        stopped, beyond = "stable alone", ""
+        if mode.real > 0.0:
+            most, why = caught(parameters)
+            stopped, beyond = f"{degrees(most):.1f}", why or "hands too slow"
         alone = f"{mode.real:.3f} ± {abs(mode.imag):.2f}i"
-        rows.append((name, alone, gain, f"{phase:.0f}", f"{later:.2f}", f"{disk:.2f}", stopped))
+        rows.append(
+            (name, alone, gain, f"{phase:.0f}", f"{later:.2f}", f"{disk:.2f}", stopped, beyond)
+        )
     return Table("margins at the lines, and the largest swing that is caught", heads, rows)
 
 

@@ -177,19 +177,25 @@ def growing(design: DriftDesign) -> tuple[complex, Array]:
     return complex(values[i]), np.real(modes[:, i] / seen)
 
 
-def caught(parameters: Parameters, within: float = radians(0.1)) -> float:
-    """Largest swing of the least stable mode [rad of azimuth] that is stopped, to `within`."""
+def caught(parameters: Parameters, within: float = radians(0.1)) -> tuple[float, str]:
+    """Largest swing of the least stable mode [rad of azimuth] that is stopped, to `within`.
+
+    And what ends the flight from a larger one; "" where it is the hands that are too slow.
+    """
     design, x = drift_design(parameters), trimmed(in_still_air(parameters))[0]
     _, mode = growing(design)
-    low, high = 0.0, radians(15.0)
+    low, high, why = 0.0, radians(15.0), ""
     while high - low > within:
         middle, start = (low + high) / 2, x.copy()
         start[[0, 2, 4, 6]] += middle * mode
         flight = flight_of(parameters, state_of(start))
         motions, ending = held(flight, 0.0, 90.0, 0.0, design)
         last = [abs(sight(m).azimuth) for m in motions[-1000:]]
-        low, high = (middle, high) if not ending and max(last) < BACK else (low, middle)
-    return low
+        if not ending and max(last) < BACK:
+            low = middle
+        else:
+            high, why = middle, ending
+    return low, why
 
 
 def largest_gap(parameters: Parameters, models: tuple[str, ...], duration: float) -> float:

@@ -25,7 +25,7 @@ from kitemj.physics.vectors import dot, minus, norm, plus, times
 
 PLACES = 4
 """Of a path, beside which it is approached: both sides of an eight, up and down."""
-HEADINGS = (-1.6, -1.0, -0.4, 0.4, 1.0, 1.6)
+HEADINGS = (-1.2, -0.7, -0.2, 0.2, 0.7, 1.2)
 """rad from up, in which the kite may go first ..."""
 FIRST = (0.0, 1.0, 2.0, 3.0)
 """s; ... for so long."""
@@ -96,7 +96,7 @@ def pointed(kite: Glider, now: Sketch, heading: float) -> float:
 @compiled
 def joined_after(kite: Glider, path: Path, seen: Estimate, way: Joining, low: float) -> float:
     """In how many s the path is joined on this way; inf: never, or not above `low` [m]."""
-    now, progress = begun(seen), way.progress
+    now, progress = begun(kite, seen), way.progress
     for i in range(round(LONG / STEP)):
         t = i * STEP
         if now.p.z * kite.length < low:
