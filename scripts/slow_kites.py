@@ -43,9 +43,9 @@ LONG = 300.0
 """s of a hold."""
 NOISE = radians(1.0)
 """rad, of a real kite's angles."""
-HOLDS = ((10.0, 0.0, 0.0), (-10.0, 0.0, NOISE), (0.0, 7.0, 0.0), (0.0, -7.0, NOISE))
+HOLDS = ((10.0, 0.0, NOISE), (0.0, 7.0, NOISE))
 """Starts and points that are held, deg of azimuth; noise [rad]."""
-GUSTS = ((0.0, 0.6), (0.1, 0.1), (0.3, 0.1), (0.1, 1.0), (0.3, 1.0))
+GUSTS = ((0.0, 0.6), (0.1, 0.1), (0.3, 0.1), (0.3, 1.0))
 """Amplitude, and rad/s."""
 UNSTABLE = (-0.1, -0.2, -0.3, -0.36, -0.42, -0.49, -0.55, -0.6)
 """C_lβ of `laksa`."""
