@@ -83,7 +83,7 @@ class LoopMargins(Tabled):
             ("disk", self.disk),
             ("period_s", self.lap.period),
         ]
-        columns = ("flight", "rms_deg", "largest_deg", "laps", "flies")
+        columns = ("flight", "rms_deg", "largest_deg", "laps", "flies", "ended")
         rows: list[tuple[float | str | bool, ...]] = [tuple(trial) for trial in self.trials]
         return [
             self._points(),
