@@ -1,4 +1,5 @@
-"""Draws the figures of the manual: frames, lines, equilibrium, laws of the stick, ways home.
+"""Draws the figures of the manual: frames, lines, equilibrium, laws of the stick, ways home,
+the law of turning, paths.
 
     python scripts/manual_figures.py [FOLDER]       (docs/figures if left out)
 
@@ -20,6 +21,8 @@ from numpy.typing import NDArray
 
 from handling_flights import Place as Start
 from handling_flights import left_alone, on_the_sky
+from kitemj.autopilot.identification_plot import SIZE, draw_identification
+from kitemj.autopilot.identify import identify
 from kitemj.dynamics.motion import attachment_E
 from kitemj.dynamics.straight import straight_body
 from kitemj.flight.equilibrium import equilibrium_state
@@ -30,6 +33,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, control, line_motion, rest_ell
 from kitemj.physics.vectors import Vector, unrotated
+from path_figures import shapes, worked_out
 
 ROOT = Path(__file__).parent.parent
 Place = NDArray[np.float64]
@@ -284,12 +288,20 @@ def home(figure: Figure) -> None:
     axes.set_xlabel("azimuth [deg], right positive (a small dot each second)")
 
 
+def turning(figure: Figure) -> None:
+    """How `sport` turns, as `kitemj identify` draws it."""
+    draw_identification(figure, identify(parameter_set("sport"), source="sport"))
+
+
 FIGURES: dict[str, tuple[Callable[[Figure], None], tuple[float, float]]] = {
     "frames": (frames, (7.0, 6.7)),
     "side": (side, (4.9, 7.0)),
     "lines": (lines, (5.3, 6.4)),
     "stick": (stick, (7.0, 5.6)),
     "home": (home, (7.0, 7.6)),
+    "turning": (turning, SIZE),
+    "shapes": (shapes, (7.0, 6.4)),
+    "worked_out": (worked_out, (7.0, 8.2)),
 }
 
 

@@ -11,15 +11,16 @@ from kitemj.autopilot.identify import identified_law
 from kitemj.autopilot.laps import laps
 from kitemj.autopilot.memory import Kite, Memory
 from kitemj.autopilot.nose import CLEAR
-from kitemj.autopilot.paths import path_of
+from kitemj.autopilot.paths import Path, path_of
 from kitemj.autopilot.phases import flown
 from kitemj.autopilot.rehearse import rehearsed
 from kitemj.autopilot.sphere import azimuth_of, elevation_of
 from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
+from kitemj.errors import InputError
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.live import Command
-from kitemj.flight.pilot_settings import Guided, PilotSettings, TurnRateLaw
+from kitemj.flight.pilot_settings import Guided, PathSettings, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.sight import Twist
 
@@ -49,7 +50,7 @@ class Autopilot:
     def restart(self, t: float) -> None:
         """Begins anew with the first phase, at time `t` [s]."""
         first = self.settings.phases[0]
-        self.memory = Memory(0, first, t, t, self._rehearsed)
+        self.memory = Memory(0, first, t, t, 0.0, self._rehearsed)
         self.guided = Guided(first, nan, nan, nan, nan, 0.0)
         self._twist = Twist()
 
@@ -58,7 +59,9 @@ class Autopilot:
         if motion.t < self.memory.t:
             self.restart(motion.t)
         seen = self._look(motion)
-        asked, self.memory = flown(self.kite, seen, self.memory._replace(t=motion.t))
+        asked, self.memory = flown(
+            self.kite, seen, self.memory._replace(t=motion.t, delta=motion.control.delta)
+        )
         to, memory = asked.attractor, self.memory
         lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
         at = azimuth_of(to), elevation_of(to)
@@ -76,20 +79,30 @@ def kite_of(
     """What does not change in a flight. Raises InputError for a path that is none."""
     glide, size = glide_ratio(parameters), parameters.kite
     path = settings.path or usual_path(parameters, law)
-    circle = path if path.kind == "circle" else usual_path(parameters, law, "circle")
     return Kite(
         settings,
         law,
         gains,
         path_of(path, glide),
-        (
-            path_of(circle._replace(turn="right"), glide),
-            path_of(circle._replace(turn="left"), glide),
-        ),
+        unwinding(parameters, path, law),
         glide,
         parameters.lines.length,
         parameters.stick.delta,
+        parameters.stick.delta_dot,
         CLEAR + hypot(size.span, size.chord) / 2,
         pi / 2 - equilibrium(parameters).gamma,
         parameters.limits.twist_max,
     )
+
+
+def unwinding(
+    parameters: Parameters, path: PathSettings, law: TurnRateLaw
+) -> tuple[Path, Path] | None:
+    """Circles to the right and to the left on which lines are untwisted; None: none suits."""
+    try:
+        circle = path if path.kind == "circle" else usual_path(parameters, law, "circle")
+    except InputError:
+        return None
+    glide = glide_ratio(parameters)
+    right, left = circle._replace(turn="right"), circle._replace(turn="left")
+    return path_of(right, glide), path_of(left, glide)

@@ -14,14 +14,23 @@ from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PathSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
 
-COMFORT = 0.6
-"""Of the hands' limits, what a path asks for that is chosen for the kite."""
+COMFORT = 0.7
+"""Of the hands' limits, what a path that is chosen for the kite asks for."""
+BRISK = 1.0
+"""winds over the ground, at least, on such a path: slower kites fly it less exactly."""
 LOWEST = radians(20.0)
 """Elevation of the lowest place of a usual path, where the lines are long enough for that."""
 SMALLEST = 0.4
-"""Of the size of `PathSettings()`, a usual path is so large at least: errors count for less."""
-SIZES = 1.1 ** np.arange(-24, 25)
-"""Of a path, tried in steps of a tenth; from a tenth to ten times as large."""
+"""Of a usual path, of which errors would else be too large a part."""
+LARGEST = 1.6
+"""Of one; larger, its sides are outside any window."""
+USUAL = PathSettings(width=radians(80.0), height=radians(26.0), radius=radians(22.0))
+"""A usual path of size 1. A height of a third of the width asks for the least of the stick; more
+for quicker hands, less for more of its way."""
+STEP = 1.1
+"""From one size that is tried to the next."""
+TINIEST = STEP**-24
+"""Of the size that was asked for, to a tenth or to ten times of which another is looked for."""
 REFINED = 1e-3
 """Of a size that is named."""
 NONE = 1e3
@@ -34,14 +43,24 @@ def check_path(settings: PathSettings, parameters: Parameters, law: TurnRateLaw)
     Raises InputError for one that the kite cannot fly, which names what could be flown.
     """
     found = asked_by(settings, parameters, law)
-    fault = _fault(found, settings, parameters)
+    fault = _fault(found, parameters)
     if fault:
         raise InputError(f"pilot.path {fault}: {_cure(settings, parameters, law)}")
     return found
 
 
 def asked_by(settings: PathSettings, parameters: Parameters, law: TurnRateLaw) -> Feasibility:
-    """What the path of `settings` asks for, whether the kite can do it or not."""
+    """What the path of `settings` asks for, whether the kite can do it or not.
+
+    Raises InputError for what is no path, and where there is no wind or no turning.
+    """
+    if parameters.wind.speed <= 0.0:
+        raise InputError(f"a path needs wind.speed > 0 m/s, got {parameters.wind.speed:g} m/s")
+    if law.c1 <= 0.0:
+        raise InputError(
+            f"a path needs a kite that turns to the hand that pulls, pilot.law.c1 > 0 1/(m rad), "
+            f"got {law.c1:g} 1/(m rad): let it hold or land"
+        )
     return feasibility(path_of(settings, glide_ratio(parameters)), parameters, law)
 
 
@@ -50,30 +69,30 @@ def usual_path(
     law: TurnRateLaw,
     kind: Literal["lemniscate", "circle"] = "lemniscate",
 ) -> PathSettings:
-    """The smallest path of the usual shape that asks for `COMFORT` of the hands' limits or less.
+    """The smallest path of the usual shape that asks for `COMFORT` or less and stays `BRISK`.
 
-    Its lowest place is at `LOWEST`, or so high that the kite may stray. Where it takes more than
-    that, the path that asks for least. Raises InputError where the kite can fly none.
+    In the steady wind of the set. Its lowest place is at `LOWEST`, or so high that the kite may
+    stray. Where there is none, the path that comes nearest. Raises InputError where the kite can
+    fly none of them.
     """
 
     def sized(size: float) -> PathSettings:
-        return _raised(scaled(PathSettings(kind=kind), size), parameters)
+        return _raised(scaled(USUAL._replace(kind=kind), size), parameters)
 
-    def excess(size: float, share: float = COMFORT) -> float:
-        return _excess(lambda: sized(size), parameters, law, share)
+    def excess(size: float) -> float:
+        return _excess(sized(size), parameters, law, COMFORT, BRISK)
 
-    sizes = [float(size) for size in SIZES if size >= SMALLEST]
-    size = _nearest(sizes, excess, SMALLEST)
+    size = _nearest(excess, SMALLEST, SMALLEST, LARGEST)
     if size is None:
-        tried = {each: excess(each, AUTHORITY) for each in sizes}
-        size = min(tried, key=lambda each: tried[each])
-        if tried[size] > 0.0:
-            raise InputError(
-                f"no {kind} suits this kite on {parameters.lines.length:g} m lines in "
-                f"{parameters.wind.speed:g} m/s: at best it "
-                f"{_fault(asked_by(sized(size), parameters, law), sized(size), parameters)}; "
-                f"name other lines, another wind, or quicker hands in [stick]"
-            )
+        sizes = _sizes_between(SMALLEST, LARGEST)
+        can = [each for each in sizes if _excess(sized(each), parameters, law) <= 0.0]
+        size = min(can or sizes, key=excess)
+    fault = _fault(asked_by(sized(size), parameters, law), parameters)
+    if fault:
+        raise InputError(
+            f"no {kind} suits this kite, law and wind: even one of {_told(sized(size))} {fault}; "
+            f"name longer lines, another wind, or quicker hands in [stick]"
+        )
     return sized(size)
 
 
@@ -92,7 +111,7 @@ def _raised(settings: PathSettings, parameters: Parameters) -> PathSettings:
     """The path at the elevation at which its lowest place is a usual path's."""
     kite, length = parameters.kite, parameters.lines.length
     low = max(LOWEST, STRAY + float(np.arcsin(min(1.0, (kite.span + kite.chord) / length))))
-    for _ in range(4):  # the sides hang lower, the higher the middle is; soon found
+    for _ in range(4):  # the sides hang lower the higher the middle is; soon found
         lowest = _lowest(settings)
         settings = settings._replace(elevation=settings.elevation + low - lowest)
     return settings
@@ -105,35 +124,45 @@ def _lowest(settings: PathSettings) -> float:
 
 
 def _excess(
-    settings: Callable[[], PathSettings], parameters: Parameters, law: TurnRateLaw, share: float
+    settings: PathSettings,
+    parameters: Parameters,
+    law: TurnRateLaw,
+    share: float = AUTHORITY,
+    slowest: float = SLOWEST,
 ) -> float:
-    """As that of `Feasibility`; large for what is no path at all."""
+    """As that of `Feasibility`; `NONE` for what is no path at all."""
     try:
-        return asked_by(settings(), parameters, law).excess(share)
+        return asked_by(settings, parameters, law).excess(share, slowest)
     except InputError:
         return NONE
 
 
-def _nearest(sizes: list[float], excess: Callable[[float], float], to: float) -> float | None:
-    """The size nearest to `to` with no `excess`, between `sizes`, to `REFINED`; None: none."""
-    best = None
-    for size in sorted(sizes, key=lambda size: abs(log(size / to))):
-        if excess(size) <= 0.0:
-            best = size
-            break
-    if best is None or best == to:
-        return best
-    toward = best / 1.1 if best > to else best * 1.1
-    if (best > to) != (toward > to) or excess(toward) <= 0.0:
-        toward = to
-    if excess(toward) <= 0.0:
-        return toward
-    edge = float(brentq(excess, toward, best, rtol=REFINED))
-    # on the side that would do
-    return edge * (1 + 2 * REFINED) if best > to else edge * (1 - 2 * REFINED)
+def _sizes_between(least: float, most: float) -> list[float]:
+    """Sizes, a `STEP` apart."""
+    return [least * STEP**i for i in range(round(log(most / least) / log(STEP)) + 1)]
 
 
-def _fault(found: Feasibility, settings: PathSettings, parameters: Parameters) -> str:
+def _nearest(
+    excess: Callable[[float], float], to: float, least: float, most: float
+) -> float | None:
+    """The size nearest `to`, from `least` to `most`, which has no `excess`; None: there is none.
+
+    To `REFINED`, on the side that would do.
+    """
+    last = {-1: to, 1: to}  # the nearest on each side that would not do
+    for size in sorted(_sizes_between(least, most), key=lambda size: (abs(log(size / to)), size)):
+        side = 1 if size > to else -1
+        if excess(size) > 0.0:
+            last[side] = size
+            continue
+        if last[side] == size or excess(to) <= 0.0:
+            return to
+        edge = float(brentq(excess, last[side], size, rtol=REFINED))
+        return edge * (1 + 2 * side * REFINED)
+    return None
+
+
+def _fault(found: Feasibility, parameters: Parameters) -> str:
     """What is wrong with a path, as what it does; "" where nothing is."""
     limits, wind, length = parameters.stick, parameters.wind.speed, parameters.lines.length
     rig = f"on {length:g} m lines in {wind:g} m/s"
@@ -173,27 +202,27 @@ def _cure(settings: PathSettings, parameters: Parameters, law: TurnRateLaw) -> s
     """What would do: the path in another size, else the usual one."""
 
     def excess(size: float) -> float:
-        return _excess(lambda: scaled(settings, size), parameters, law, AUTHORITY)
+        return _excess(scaled(settings, size), parameters, law)
 
-    size = _nearest([float(each) for each in SIZES], excess, 1.0)
+    size = _nearest(excess, 1.0, TINIEST, 1 / TINIEST)
     if size is not None:
-        could = _sizes(scaled(settings, size))
+        could = _told(scaled(settings, size))
         return f"{_kind(settings)} {size:.3g} times as large would do ({could})"
     try:
         kind: Literal["lemniscate", "circle"]
         kind = "circle" if settings.kind == "circle" else "lemniscate"
         usual = usual_path(parameters, law, kind)
     except InputError:
-        return "no size of it would do, nor any usual path in this wind"
+        return "no size of it would do, nor a usual path: try longer lines or another wind"
     where = f"elevation {degrees(usual.elevation):.0f} deg"
-    return f"no size of it would do there; a {kind} of {_sizes(usual)} at {where} would"
+    return f"no size of it would do there; a {kind} of {_told(usual)} at {where} would"
 
 
 def _kind(settings: PathSettings) -> str:
     return "the same through points" if settings.kind == "points" else f"a {settings.kind}"
 
 
-def _sizes(settings: PathSettings) -> str:
+def _told(settings: PathSettings) -> str:
     """The size of a path, rounded to what would do."""
     if settings.kind == "circle":
         return f"radius {degrees(settings.radius):.1f} deg"

@@ -12,12 +12,12 @@ from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
 
-AUTHORITY = 0.8
+AUTHORITY = 0.9
 """Of the stick's way, rate and acceleration, what a path may ask for; the rest is for errors."""
 STRAY = radians(4.0)
 """How far below its path a kite may be: the largest error allowed with a real kite's sensors."""
 SLOWEST = 0.25
-"""winds over the ground; a slower kite hangs more than it flies, and its law is unknown there."""
+"""winds over the ground, at least: a slower kite hangs, and where it goes is decided by weight."""
 
 
 class Feasibility(NamedTuple):
@@ -48,10 +48,9 @@ class Feasibility(NamedTuple):
         """The largest part of a limit of the hands that is asked for."""
         return max(self.stick, self.rate, self.acceleration)
 
-    def excess(self, share: float = AUTHORITY) -> float:
-        """By what part the worst number is beyond what is allowed; negative: all are within."""
-        slow = SLOWEST / max(self.winds, 1e-3)
-        return max(self.share / share - 1.0, slow - 1.0, -self.height)
+    def excess(self, share: float = AUTHORITY, slowest: float = SLOWEST) -> float:
+        """By what part the worst number is beyond what is allowed; 0 or less: none is."""
+        return max(self.share / share, slowest / self.winds, 1.0 - self.height) - 1.0
 
 
 def feasibility(path: Path, parameters: Parameters, law: TurnRateLaw) -> Feasibility:

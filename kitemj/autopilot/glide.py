@@ -1,6 +1,6 @@
 """How a kite glides: lift over drag, and the speed along a path with weight and mass."""
 
-from math import cos, hypot, sin, sqrt
+from math import cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +19,8 @@ LAPS = 20
 """Of the sum for the speed, at most; it forgets its beginning in a lap or two."""
 SETTLED = 1e-9
 """winds; a lap that ends as it began, to this, is the one that repeats."""
+NEWTON, NUDGE = 4, 1e-6
+"""Steps to the speed at the next point; winds, for a difference."""
 ASKEW = 0.2
 """Cosine of the drift, at least: beyond 78° a course is no use of the nose."""
 
@@ -68,7 +70,9 @@ def with_weight(path: Path, parameters: Parameters) -> Path:
 
 @compiled
 def _speeds(path: Path, glide: float, drag: float, weight: float) -> Array:
-    """Speeds (n,) in winds: of v²/2 along the way by Heun's method.
+    """Speeds (n,) in winds: v²/2 along the way by backward differences of second order.
+
+    They are steady for any mass, however little.
 
     glide   lift over drag
     drag    ρ S C_D L / (2 m)
@@ -76,14 +80,19 @@ def _speeds(path: Path, glide: float, drag: float, weight: float) -> Array:
     """
     n, found = len(path.points), path.speed.copy()
     v = max(STOPPED, found[0])
+    last, now = v * v / 2, v * v / 2
     for _ in range(LAPS):
         before = v
         for i in range(n):
             found[i] = v
-            here = _push(path, i, v, glide, drag, weight)
-            guess = sqrt(max(v * v + 2 * path.spacing * here, STOPPED**2))
-            there = _push(path, (i + 1) % n, guess, glide, drag, weight)
-            v = sqrt(max(v * v + path.spacing * (here + there), STOPPED**2))
+            known = (4 * now - last) / 3
+            for _ in range(NEWTON):
+                push = _push(path, (i + 1) % n, v, glide, drag, weight)
+                slope = (_push(path, (i + 1) % n, v + NUDGE, glide, drag, weight) - push) / NUDGE
+                step = 2 * path.spacing / 3
+                v -= (v * v / 2 - known - step * push) / max(v - step * slope, STOPPED)
+                v = max(v, STOPPED)
+            last, now = now, v * v / 2
         if abs(v - before) < SETTLED:
             break
     return found

@@ -106,11 +106,11 @@ class Identification(Tabled):
             *("exponent", "exponent_error", "airspeed_m_s", "lag_m", "lag_error_m"),
             *("delay_s", "delay_error_s", "share_fitted", "share_explained"),
         )
-        flown = "flown" if self.eights else "about rest"
+        flown = self.eights
         fits = {
-            f"{flown}, a lag": self.fit,
-            f"{flown}, n = 1, a delay": self.plain,
-            "small swing at rest": self.swing if self.eights else None,
+            "flown, a lag" if flown else "about rest": self.fit,
+            "flown, n = 1, a delay": self.plain if flown else None,
+            "small swing at rest": self.swing if flown else None,
             "linear system at rest": _as_fit(self.linear),
         }
         return [Table("turning", columns, [_row(name, fit) for name, fit in fits.items() if fit])]

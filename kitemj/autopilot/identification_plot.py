@@ -19,28 +19,36 @@ EVERY = 4
 FLOWN, LAW, LEFT = "0.55", "tab:blue", "tab:red"
 
 
+SIZE = (11.0, 5.2)
+"""inches."""
+
+
 def identification_figure(found: Identification) -> Figure:
-    """Turn rate and law, the residual below, and turning per speed over the delayed δ."""
+    """The figure, with no screen behind it."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(11.0, 5.2), layout="constrained")
+    figure = Figure(figsize=SIZE, layout="constrained")
     FigureCanvasAgg(figure)
+    draw_identification(figure, found)
+    return figure
+
+
+def draw_identification(figure: Figure, found: Identification) -> None:
+    """Turn rate and law, the residual below, and turning per speed over the delayed δ."""
+    whole, fit = found.probe.flown, found.fit
+    if fit is None:
+        figure.suptitle(found.in_words, fontsize=8, wrap=True)
+        return
     grid: Any = figure.add_gridspec(2, 2, height_ratios=(2, 1), width_ratios=(2, 1))
     top = figure.add_subplot(grid[0, 0])
     below = figure.add_subplot(grid[1, 0], sharex=top)
-    beside = figure.add_subplot(grid[:, 1])
-    if found.fit is None:
-        figure.suptitle(found.in_words, fontsize=8, wrap=True)
-        return figure
-    whole, fit = found.probe.flown, found.fit
     rows = np.flatnonzero(looked_at(whole))[::EVERY]
     flown = Flown(*(column[rows] for column in whole))
     _over_time(top, below, flown, predicted(whole, fit)[rows], first(whole))
-    _over_delta(beside, fit, flown, delayed(whole, fit)[rows])
+    _over_delta(figure.add_subplot(grid[:, 1]), fit, flown, delayed(whole, fit)[rows])
     holds = "the law of turning holds" if found.holds else "the law of turning does not hold"
     figure.suptitle(f"{found.source}, flown by {found.model}: {holds}", fontsize=11)
-    return figure
 
 
 def _over_time(top: Axes, below: Axes, flown: Flown, law: Array, fitted: float) -> None:
@@ -70,5 +78,5 @@ def _over_delta(ax: Axes, fit: Fit, flown: Flown, delta: Array) -> None:
     ax.set(xlabel="δ when it began to act [rad]", ylabel="(turn rate - weight's) / v_a [rad/m]")
     ax.locator_params(axis="x", nbins=5)
     if np.ptp(v) > EVEN * fit.airspeed:
-        ax.set_title("lines: the law at the least, the median and the most v_a", fontsize=9)
+        ax.set_title("lines: the law at least, median, most v_a", fontsize=9)
         ax.figure.colorbar(dots, ax=ax, label="airspeed v_a [m/s]")

@@ -30,14 +30,19 @@ def identify(
     there is no equilibrium to begin at.
     """
     rough, signal = rough_law(parameters, source), signal_for(parameters, AT_REST)
-    small = standing(in_still_air(parameters), model)
+    still = in_still_air(parameters)
+    small = standing(still, model)
     swing, linear = None, rough
     if small.clean:
         amplitudes = amplitudes_of(small.flown, signal.frequencies)
         linear = linear_law(parameters, signal.frequencies, amplitudes, model, source)
         swing = fit_law(small.flown, exponent=1.0, part=1.0)
-    flown, fit = _fitted(parameters, rough, model)
-    plain = fit_law(flown.flown, by_way=False, exponent=1.0) if fit else None
+    again = turns(rough) or still != parameters
+    flown = flight_for(parameters, rough, model) if again else small
+    fit = fitted(flown, rough)
+    plain = fit
+    if fit and turns(rough):
+        plain = fit_law(flown.flown, by_way=False, exponent=1.0)
     known = source, model, parameters, turns(rough)
     return Identification(*known, flown, fit, plain, swing, linear)
 
@@ -57,7 +62,8 @@ def identified_law(parameters: Parameters) -> TurnRateLaw:
 
 def _identified_law(parameters: Parameters) -> TurnRateLaw:
     rough = rough_law(parameters, "identification")
-    flown, fit = _fitted(parameters, rough, "lagrange")
+    flown = flight_for(parameters, rough, "lagrange")
+    fit = fitted(flown, rough)
     known = "this kite", "lagrange", parameters, turns(rough)
     found = Identification(*known, flown, fit, fit, None, rough)
     if fit is None or not found.holds:
@@ -82,13 +88,24 @@ def turns(rough: LinearLaw) -> bool:
     return rough.law.c1 > 0.0
 
 
-def _fitted(parameters: Parameters, rough: LinearLaw, model: str) -> tuple[Probe, Fit | None]:
-    """The test flight, and the law that fits it; None where it was too short."""
-    steered = turns(rough)
-    flown = eights(parameters, rough.law, model) if steered else standing(parameters, model)
+def flight_for(parameters: Parameters, rough: LinearLaw, model: str) -> Probe:
+    """On eights, steered by a rough law, or about rest where that says nothing to steer by."""
+    return eights(parameters, rough.law, model) if turns(rough) else standing(parameters, model)
+
+
+def fitted(flown: Probe, rough: LinearLaw) -> Fit | None:
+    """The law that fits a test flight; None where it was too short.
+
+    A swing about rest comes again and again, so that nothing of it is left to try the law on:
+    all of it is fitted, and what is explained is its own share.
+    """
     t = flown.flown.t
-    enough = len(t) > 0 and t[-1] - t[0] >= SHORTEST + SLOWEST
-    return flown, fit_law(flown.flown) if enough else None
+    if len(t) == 0 or t[-1] - t[0] < SHORTEST + SLOWEST:
+        return None
+    if turns(rough):
+        return fit_law(flown.flown)
+    fit = fit_law(flown.flown, part=1.0)
+    return fit._replace(explained=fit.fitted)
 
 
 def amplitudes_of(flown: Flown, frequencies: Array) -> Array:

@@ -96,7 +96,7 @@ def pointed(kite: Glider, now: Sketch, heading: float) -> float:
 @compiled
 def joined_after(kite: Glider, path: Path, seen: Estimate, way: Joining, low: float) -> float:
     """In how many s the path is joined on this way; inf: never, or not above `low` [m]."""
-    now, progress = begun(seen), way.progress
+    now, progress = begun(kite, seen), way.progress
     for i in range(round(LONG / STEP)):
         t = i * STEP
         if now.p.z * kite.length < low:

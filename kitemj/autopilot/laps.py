@@ -5,6 +5,7 @@ from math import cos, inf, isnan, nan, pi, tau
 from kitemj.autopilot.follow import (
     NEAR,
     Estimate,
+    at,
     follow,
     learn,
     length_of,
@@ -19,12 +20,14 @@ from kitemj.autopilot.sphere import ahead_of, direction
 from kitemj.flight.live import TICK
 from kitemj.physics.vectors import dot, norm, plus, times
 
+MATCHED = 1.0
+"""rad/s between how the nose turns and how the path does, at most, when it is joined."""
 LOST = 0.3
 """rad off the path; who is farther away joins it anew."""
 PLANNED = 0.3
 """s; so often the way to the path is looked for anew."""
-SAFE = 1.0
-"""m, above the lowest height, that a way to the path must keep."""
+SAFE = 0.7
+"""Of the height of the path's lowest place, what a way to it must keep."""
 SPARE = tau
 """rad; of the twist that lines can take, so much is left when they are unwound."""
 UNWOUND = pi
@@ -38,7 +41,7 @@ def climb(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
 
 def joined(kite: Kite, seen: Estimate, memory: Memory) -> bool:
     """Once the kite is near the path and flies as it goes."""
-    return off_path(kite.path, seen) < NEAR
+    return beside(kite.path, seen)
 
 
 def path(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
@@ -58,29 +61,32 @@ def lost(kite: Kite, seen: Estimate, memory: Memory) -> bool:
 
 def wound_up(kite: Kite, seen: Estimate, memory: Memory) -> bool:
     """Once the lines can take hardly one turn more."""
-    return abs(seen.twist) > kite.most_twist - SPARE
+    return kite.unwinding is not None and abs(seen.twist) > kite.most_twist - SPARE
 
 
 def untwist(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
     """Loops the other way, on a circle that is joined and followed as any path."""
+    assert kite.unwinding
     circle = kite.unwinding[seen.twist > 0.0]
     if isnan(memory.progress) or distance(circle, seen, memory.progress) > LOST:
-        if off_path(circle, seen) < NEAR:
+        if beside(circle, seen):
             return along(kite, seen, memory._replace(progress=nan), circle, learning=False)
         return join(kite, seen, memory._replace(progress=nan), circle)
     return along(kite, seen, memory, circle, learning=False)
 
 
 def untwisted(kite: Kite, seen: Estimate, memory: Memory) -> bool:
-    """Once the lines are straight again."""
-    return abs(seen.twist) < UNWOUND
+    """Once the lines are straight again, or no circle suits the kite."""
+    return kite.unwinding is None or abs(seen.twist) < UNWOUND
 
 
 def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
     """The way to `path`; where there is none from here, up to the middle, until there is one."""
-    glider, now, way = glider_of(kite, seen), begun(seen), memory.way
+    glider, way = glider_of(kite, seen, memory), memory.way
+    now = begun(glider, seen)
     if not memory.t < memory.planned + PLANNED:
-        way = soonest(glider, path, seen, way, kite.low + SAFE)
+        lowest = kite.length * float(path.points[:, 2].min())
+        way = soonest(glider, path, seen, way, max(kite.low, SAFE * lowest))
         memory = memory._replace(planned=memory.t)
     left = way._replace(first=max(0.0, way.first - TICK))
     if not way.after < inf:
@@ -118,13 +124,14 @@ def laps(kite: Kite, memory: Memory) -> float:
     return memory.laps + (memory.progress - memory.began) / length_of(kite.path)
 
 
-def off_path(path: Path, seen: Estimate) -> float:
-    """rad to the nearest place that is flown in about this direction; inf: none is."""
+def beside(path: Path, seen: Estimate) -> bool:
+    """Whether the kite is near `path`, flies as it goes, and turns about as it turns."""
     p = direction(seen.azimuth, seen.elevation)
     ahead = ahead_of(p, seen.course)
     progress = nearest(path, p, ahead)
     aligned = dot(ahead, vector_at(path, path.ahead, progress)) > cos(ALIGNED)
-    return distance(path, seen, progress) if aligned else inf
+    apart = seen.speed * at(path, path.turning, progress) - seen.turning
+    return aligned and abs(apart) < MATCHED and distance(path, seen, progress) < NEAR
 
 
 def distance(path: Path, seen: Estimate, progress: float) -> float:

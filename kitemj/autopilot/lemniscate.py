@@ -15,13 +15,13 @@ Curve = Callable[[Array], tuple[Array, Array, Array]]
 """Of t [rad], once around in 2π: r (n, 3), its first and second derivative. The curve in the sky
 is r/|r|."""
 
-STEPS = 512
+STEPS = 256
 """Points of half a lap among which the sharpest bend is looked for."""
 BLENDS = (-0.45, 12.0)
 """m between which the widest bends are looked for; at -0.5 the sides get dented."""
-DIGITS = 3
+DIGITS = 2
 """Of m; finer nobody sees, and rounding is the same in all processes."""
-HEIGHT_STEPS = 6
+HEIGHT_STEPS = 5
 """Of the height; each takes its error down to a tenth or less."""
 
 
@@ -76,7 +76,7 @@ def widest(width: float, height: float) -> tuple[float, float]:
     def sharpest(m: float) -> float:
         return sharpest_bend(width, height, m)
 
-    found = minimize_scalar(sharpest, bounds=BLENDS, method="bounded", options={"xatol": 1e-4})
+    found = minimize_scalar(sharpest, bounds=BLENDS, method="bounded", options={"xatol": 1e-3})
     m = round(float(found.x), DIGITS)
     return m, half_height(width, height, m)
 

@@ -18,19 +18,21 @@ from kitemj.physics.vectors import Vector
 class Kite(NamedTuple):
     """What does not change in a flight: the kite on its lines, how it turns, what it flies.
 
-    `unwinding`: the circles to the right and to the left on which lines are untwisted; the `glide`
-    ratio; `length` [m] of the lines; `full` [rad]: largest |δ|; `low` [m]: how high G must stay;
-    `top` [rad]: the elevation of rest; `most_twist` [rad] that lines can take.
+    `unwinding`: the circles to the right and to the left on which lines are untwisted, if the
+    kite can fly any; the `glide` ratio; `length` [m] of the lines; `full` [rad], `hands` [rad/s]: largest |δ|, |δ̇|;
+    `low` [m]: how high G must stay; `top` [rad]: the elevation of rest; `most_twist` [rad]
+    that lines can take.
     """
 
     settings: PilotSettings
     law: TurnRateLaw
     gains: Gains
     path: Path
-    unwinding: tuple[Path, Path]
+    unwinding: tuple[Path, Path] | None
     glide: float
     length: float
     full: float
+    hands: float
     low: float
     top: float
     most_twist: float
@@ -40,7 +42,7 @@ class Memory(NamedTuple):
     """What is remembered from tick to tick.
 
     `step`: which of the settings' phases is on, `phase`: what is flown now, in which `t` [s] is
-    the time and `since` [s] its beginning. `progress` [rad] along the path, `laps` flown of it
+    the time, `delta` [rad] where the hands are, and `since` [s] its beginning. `progress` [rad] along the path, `laps` flown of it
     before it was joined last, at `began` [rad]; `learnt` of it. `way`: to the path, as `planned`
     at that time [s]. `pressed` [rad]: how far the nose is pressed down to land, once
     `at_edge`. `refused`: the side to which a dive is turned up, 0: none.
@@ -50,6 +52,7 @@ class Memory(NamedTuple):
     phase: PhaseName
     since: float
     t: float
+    delta: float
     learnt: Array
     progress: float = nan
     began: float = nan
@@ -91,7 +94,8 @@ def to_point(kite: Kite, seen: Estimate, memory: Memory, azimuth: float) -> Aske
     return Asked(to_heading(kite, seen, leaning(seen, azimuth), aim), memory)
 
 
-def glider_of(kite: Kite, seen: Estimate) -> Glider:
+def glider_of(kite: Kite, seen: Estimate, memory: Memory) -> Glider:
     """The kite as a sketch knows it, in the wind that it feels now."""
     wind = wind_felt(seen, kite.length) / kite.length
-    return Glider(wind, kite.glide, kite.length, kite.law, kite.gains, kite.full)
+    known = kite.glide, kite.length, kite.law, kite.gains, kite.full, kite.hands
+    return Glider(wind, *known, memory.delta)

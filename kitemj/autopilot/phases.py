@@ -6,7 +6,7 @@ Whatever the phase, a dive that would end too low is turned up first.
 """
 
 from collections.abc import Callable
-from math import cos, nan
+from math import cos, isnan, nan
 from typing import NamedTuple
 
 from kitemj.autopilot import edges, laps
@@ -77,10 +77,10 @@ def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
     neither way.
     """
     guidance, memory = asked
-    on_path = memory.phase == "path" and abs(guidance.error) < NEAR
+    on_path = not isnan(guidance.progress) and abs(guidance.error) < NEAR
     if on_path or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
-    glider = glider_of(kite, seen)
+    glider = glider_of(kite, seen, memory)
     low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}
     if max(low.values()) > kite.low:
         return Asked(guidance, memory._replace(refused=0.0))

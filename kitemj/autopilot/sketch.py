@@ -7,7 +7,7 @@ from math import acos, sqrt
 from typing import NamedTuple
 
 from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate
-from kitemj.autopilot.gains import Gains, lead_time, turn_gain
+from kitemj.autopilot.gains import Gains, turn_gain
 from kitemj.autopilot.sphere import ahead_of, direction, right_of, tangential
 from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.physics.compiled import compiled
@@ -22,7 +22,8 @@ SLOWEST = 0.02
 
 class Glider(NamedTuple):
     """What a sketch knows: `wind` [rad/s], its speed over the length of the lines; `glide` ratio;
-    `length` [m] of the lines; how the kite turns, the gains, and the largest |δ| [rad]."""
+    `length` [m] of the lines; how the kite turns, the gains, the largest |δ| [rad]
+    and |δ̇| [rad/s], and δ now [rad]."""
 
     wind: float
     glide: float
@@ -30,14 +31,18 @@ class Glider(NamedTuple):
     law: TurnRateLaw
     gains: Gains
     full: float
+    hands: float
+    delta: float
 
 
 class Sketch(NamedTuple):
-    """An instant: direction `p`, where the nose points (a unit vector across it), turn rate."""
+    """An instant: direction `p`, where the nose points (a unit vector across it), turn rate
+    [rad/s], δ [rad]."""
 
     p: Vector
     nose: Vector
     turning: float
+    delta: float
 
 
 @compiled
@@ -53,10 +58,10 @@ def wind_felt(seen: Estimate, length: float) -> float:
 
 
 @compiled
-def begun(seen: Estimate) -> Sketch:
+def begun(kite: Glider, seen: Estimate) -> Sketch:
     """The sketch of the present."""
     p = direction(seen.azimuth, seen.elevation)
-    return Sketch(p, ahead_of(p, seen.heading), seen.turning)
+    return Sketch(p, ahead_of(p, seen.heading), seen.turning, kite.delta)
 
 
 @compiled
@@ -104,19 +109,25 @@ def off_nose(now: Sketch, wish: Vector) -> float:
 @compiled
 def flown_on(kite: Glider, now: Sketch, asked: float) -> Sketch:
     """One `STEP` later, while a turn rate is `asked` [rad/s]."""
-    lag = lead_time(kite.law, kite.gains, airspeed(kite, now.p))
-    turning = now.turning + (asked - now.turning) * min(1.0, STEP / lag)
+    air = airspeed(kite, now.p)
+    gain = turn_gain(kite.law, air)
+    wish = (asked + kite.gains.ease * (asked - now.turning)) / gain
+    wish = max(-kite.full, min(kite.full, wish))
+    way = kite.hands * STEP
+    delta = now.delta + max(-way, min(way, wish - now.delta))
+    answer = min(1.0, STEP * air / max(kite.law.lag, 1e-9))
+    turning = now.turning + (gain * delta - now.turning) * answer
     p = plus(now.p, times(STEP, velocity(kite, now)))
     p = times(1.0 / norm(p), p)
     nose = plus(now.nose, times(STEP * turning, right_of(now.p, now.nose)))
     nose = tangential(p, nose)
-    return Sketch(p, times(1.0 / max(norm(nose), 1e-9), nose), turning)
+    return Sketch(p, times(1.0 / max(norm(nose), 1e-9), nose), turning, delta)
 
 
 @compiled
 def lowest(kite: Glider, seen: Estimate, side: float) -> float:
     """The least height [m] of a kite that is turned to one `side` (right +1) until it rises."""
-    now = begun(seen)
+    now = begun(kite, seen)
     least = now.p.z
     for _ in range(round(LONG / STEP)):
         now = flown_on(kite, now, side * most_turning(kite, now.p))

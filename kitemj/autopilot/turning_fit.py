@@ -1,9 +1,9 @@
 """The law of turning fitted to a flight by least squares, with what its numbers are uncertain by.
 
 The residual of such a fit is what the law leaves out, not noise: it swings slowly, and the usual
-covariance would call the numbers far too certain. Here the flight is cut into `BLOCKS`, and the
-sums of residual times slope in each are what is taken to be independent (the cluster-robust
-covariance of Liang & Zeger, Biometrika 73 (1986) 13).
+covariance would call the numbers four to nine times too certain. Here the flight is cut into
+`BLOCKS`, and how much the numbers change where one of them is left out says how far they are known
+(the jackknife of blocks: Künsch, Ann. Statist. 17 (1989) 1217).
 """
 
 from typing import NamedTuple
@@ -25,14 +25,15 @@ FITTED = 2 / 3
 SLOWEST = 1.5
 """s; the longest delay with which a fit begins, in steps of a thirtieth of it. So much of a flight
 is not fitted at its beginning: what the hands did before is not in it."""
-EXPONENTS = (-1.0, 3.0)
-"""Between which n is looked for, as `TurnRateLaw` has it."""
+EXPONENTS = (0.0, 3.0)
+"""Between which n is looked for. Below 0 a kite would turn the quicker the slower it is, which may
+fit the few speeds of a flight by a hair better and is far off at others."""
 LONGEST = 30.0
 """m; the longest lag. No kite of some metres answers later."""
 ROUNDING = 1e-6
 """s; of the times of ticks."""
-NONE = 1e-6
-"""m; a lag at its bound, which the search only comes near."""
+NEAR = 1e-6
+"""m, 1; a lag and an n so near its bound are at it."""
 EVEN = 0.02
 """Of the airspeed, one standard deviation; with less of change n cannot be told, and is 1."""
 
@@ -99,14 +100,22 @@ def fit_law(
     law = _Law(flown, airspeed, by_way)
     start = law.start(fitted, 1.0 if exponent is None else exponent)
     free = np.array([True, True, exponent is None, True])
+    found, errors = _solved(law, start, free, fitted), np.full(4, np.nan)
+    free[2] &= found[2] not in EXPONENTS  # else it is as far as it may go
+    errors[free] = uncertainty(law.slopes(found)[fitted][:, free], law.residual(found)[fitted])
+    left, tried = law.residual(found), looked & ~fitted
+    shares = [explained(left[rows], flown.turning[rows]) for rows in (fitted, tried)]
+    numbers, known = (Numbers(*map(float, [*x, x[3] / airspeed])) for x in (found, errors))
+    return Fit(numbers, known, airspeed, by_way, *shares)
+
+
+def _solved(law: "_Law", start: Array, free: Rows, fitted: Rows) -> Array:
+    """z whose `free` (4,) numbers leave least of the `fitted` (n,) rows, from a `start`."""
 
     def whole(z: Array) -> Array:
         found = start.copy()
         found[free] = z
         return found
-
-    low, high = np.array([-np.inf, -np.inf, EXPONENTS[0], 0.0]), np.full(4, np.inf)
-    high[2:] = EXPONENTS[1], LONGEST
 
     def left(z: Array) -> Array:
         return law.residual(whole(z))[fitted]
@@ -114,16 +123,15 @@ def fit_law(
     def slopes(z: Array) -> Array:
         return law.slopes(whole(z))[fitted][:, free]
 
+    low, high = np.array([-np.inf, -np.inf, EXPONENTS[0], 0.0]), np.full(4, np.inf)
+    high[2:] = EXPONENTS[1], LONGEST
     room, size = (low[free], high[free]), np.array([0.1, 1.0, 1.0, 1.0])[free]
     z: Array = least_squares(left, start[free], slopes, bounds=room, x_scale=size).x
-    found, errors = whole(z), np.full(4, np.nan)
-    errors[free] = uncertainty(slopes(z), left(z))
-    found[3] = found[3] if found[3] > NONE else 0.0
-    rest = law.residual(found)
-    tried = looked & ~fitted
-    shares = [explained(rest[rows], flown.turning[rows]) for rows in (fitted, tried)]
-    numbers, known = (Numbers(*map(float, [*x, x[3] / airspeed])) for x in (found, errors))
-    return Fit(numbers, known, airspeed, by_way, *shares)
+    found = whole(z)
+    for k in (2, 3):  # the search only comes near a bound
+        for bound in (low[k], high[k]):
+            found[k] = bound if abs(found[k] - bound) < NEAR else found[k]
+    return found
 
 
 def looked_at(flown: Flown) -> Rows:
@@ -154,13 +162,17 @@ def explained(left: Array, turning: Array) -> float:
 
 
 def uncertainty(slopes: Array, residual: Array) -> Array:
-    """One standard uncertainty of each number (k,), of slopes (n, k) and residual (n,)."""
-    parts = np.array_split(np.arange(len(residual)), BLOCKS)
-    sums = np.array([slopes[part].T @ residual[part] for part in parts])
-    bread = np.linalg.pinv(slopes.T @ slopes, hermitian=True)
-    few = BLOCKS / (BLOCKS - 1)
-    covariance = few * bread @ sums.T @ sums @ bread
-    return np.asarray(np.sqrt(np.diag(covariance)))
+    """One standard uncertainty of each number (k,), of slopes (n, k) and residual (n,).
+
+    The jackknife, to first order: how the numbers change where a block is left out.
+    """
+    whole, changes = slopes.T @ slopes, []
+    for rows in np.array_split(np.arange(len(residual)), BLOCKS):
+        block = slopes[rows]
+        less = np.linalg.pinv(whole - block.T @ block, hermitian=True)
+        changes.append(less @ block.T @ residual[rows])
+    off = np.array(changes) - np.mean(changes, axis=0)
+    return np.asarray(np.sqrt((BLOCKS - 1) / BLOCKS * np.sum(off**2, axis=0)))
 
 
 class _Law:

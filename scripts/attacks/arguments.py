@@ -38,6 +38,7 @@ BASES = {
     "limits": ["limits", "scenario.toml"],
     "trim": ["trim", "scenario.toml", "--models", "lagrange"],
     "stability": ["stability", "scenario.toml"],
+    "identify": ["identify", "scenario.toml"],
     "sweep": ["sweep", "study.toml", "--output", "out.parquet", "--processes", "1"],
     "pad": ["pad", "--list"],
     "reach": ["reach", "scenario.toml"],
