@@ -80,12 +80,15 @@ def trials(scenario: Scenario, settings: PilotSettings) -> list[Trial]:
     path = settings.path or usual_path(scenario.parameters, law)
     settings = settings._replace(path=path)
     more = max(1, round(law.delay(law.airspeed) / TICK))
-    return [
-        trial("as it is", scenario, settings, law, law),
-        trial(f"twice the delay: {more * TICK:.2f} s more", scenario, settings, law, law, more),
-        trial("c1 30 % above what it is told", scenario, settings, law, _scaled(law, 1 / 1.3)),
-        trial("c1 30 % below what it is told", scenario, settings, law, _scaled(law, 1 / 0.7)),
-    ]
+    found = [trial("as it is", scenario, settings, law, law)]
+    for from_path, when in ((False, ""), (True, ", on the path")):
+        for what, told, ticks in (
+            (f"{more * TICK:.2f} s later, twice the delay", law, more),
+            ("c1 30 % above what it is told", _scaled(law, 1 / 1.3), 0),
+            ("c1 30 % below what it is told", _scaled(law, 1 / 0.7), 0),
+        ):
+            found.append(trial(what + when, scenario, settings, law, told, ticks, from_path))
+    return found
 
 
 def trial(
@@ -95,19 +98,23 @@ def trial(
     known: TurnRateLaw,
     law: TurnRateLaw,
     delay: int = 0,
+    from_path: bool = False,
 ) -> Trial:
     """Climbs to the path and flies it with `law`, seeing all `delay` ticks too late.
 
-    The path was checked and rehearsed with the law that is `known`.
+    The path was checked and rehearsed with the law that is `known`. `from_path`: it climbs as it
+    should, and is told wrong only once it is on the path.
     """
     settings = settings._replace(phases=("climb", "path"), laps=0.0)
     pilot = Autopilot(scenario.parameters, settings, known)
-    pilot.law, pilot.kite = law, pilot.kite._replace(law=law)
+    wrong = False
     flight = SteeredFlight(scenario, "lagrange")
     seen, errors, lost = deque([flight.result.motion] * (delay + 1)), [], False
     for i in range(round(SECONDS / TICK)):
         now = flight.result.motion
-        late = seen[0]._replace(control=now.control, t=now.t)
+        if not wrong and (not from_path or pilot.guided.phase == "path"):
+            wrong, pilot.law, pilot.kite = True, law, pilot.kite._replace(law=law)
+        late = (seen[0] if wrong else now)._replace(control=now.control, t=now.t)
         try:
             result = flight.tick(pilot.command(late))
         except FlightError:
