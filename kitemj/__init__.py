@@ -48,10 +48,11 @@ if TYPE_CHECKING:
 __all__ = [
     "FIGURES", "MODELS", "PILOTS", "TICK", "Command", "Comparison", "Cycle", "Eight", "Ending",
     "Flight", "FlightError", "Hold", "Identification", "InputError", "Land", "LiveFlight", "Loop",
-    "Motion", "NoGraphics", "Parameters", "Pilot", "Recording", "Replay", "Scenario", "Sight",
-    "Stability", "State", "StickLaw", "StudyResult", "TickResult", "Trim", "__version__",
+    "LoopMargins", "Motion", "NoGraphics", "Parameters", "Pilot", "Recording", "Replay", "Scenario",
+    "Sight", "Stability", "State", "StickLaw", "StudyResult", "TickResult", "Trim", "__version__",
     "as_scenario", "compare", "cycle", "film", "identify", "margins", "parameter_set",
-    "read_flight", "read_recording", "replay", "set_names", "sight", "simulate", "stability", "sweep", "trim",
+    "read_flight", "read_recording", "replay", "set_names", "sight", "simulate",
+    "stability", "sweep", "trim",
 ]  # fmt: skip
 
 _MODULES = {
@@ -75,7 +76,7 @@ _MODULES = {
     "plots.flight": "Flight",
     "plots.sources": "read_flight",
     "recording.file": "Recording read_recording",
-    "recording.live": "LiveFlight", "LoopMargins",
+    "recording.live": "LiveFlight",
     "recording.replay": "Replay",
     "equilibria.cycle": "Cycle",
     "equilibria.modes": "Stability",

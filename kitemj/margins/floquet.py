@@ -6,6 +6,7 @@ stays ahead. If all others are within the unit circle, each deviation dies out, 
 """
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -56,7 +57,9 @@ def multipliers(matrices: Array, along: Array | None = None) -> Floquet:
 
 
 def changed(loop: Opened, gain: complex = 1.0, delay: int = 0) -> Array:
-    """Matrices of the ticks, closed with what answers errors times `gain` (complex: turned in phase), `delay` ticks later.
+    """Matrices of the ticks, closed with what answers errors times `gain`, `delay` ticks later.
+
+    A complex `gain` turns the phase.
 
     (n, 11 + delay, 11 + delay). What the place on the path asks for comes as before, so that the
     lap remains what it is.
@@ -142,7 +145,7 @@ def delay_margin(loop: Opened, along: Array) -> float:
 
 def _first(worst: Callable[[float], float], values: Array) -> float | None:
     """The first of `values` beyond which `worst` exceeds 1, by bisection; None: none does."""
-    for a, b in zip(values[:-1], values[1:], strict=True):
+    for a, b in pairwise(values):
         if worst(float(b)) >= 1.0:
             low, high = float(a), float(b)
             for _ in range(12):

@@ -48,7 +48,9 @@ def python_control() -> ModuleType:
     return control  # type: ignore[no-any-return]
 
 
-def margins_of(A: Array, B: Array, C: Array, tick: float = TICK, slowest: float = SLOWEST) -> Margins:
+def margins_of(
+    A: Array, B: Array, C: Array, tick: float = TICK, slowest: float = SLOWEST
+) -> Margins:
     """The margins of x' = A x + B u, y = C x, sampled each `tick` [s]; closed by u = -y.
 
     A (m, m), B (m,), C (m,). Crossings from `slowest` [rad/s] on are looked at.

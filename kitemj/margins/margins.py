@@ -64,11 +64,14 @@ class LoopMargins(Tabled):
     def in_words(self) -> str:
         """One sentence."""
         says = "has" if self.met else "does not have"
+        gain = min(min(m.gain_up, m.gain_down) for m in self.frozen)
+        phase = min(m.phase for m in self.frozen)
         return (
             f"the loop over a lap {says} {GAIN:g} dB and {PHASE:g}°: gain x {self.gain_up:.3g} "
             f"({20 * log10(self.gain_up):.3g} dB), phase {self.phase:.3g}°, delay "
             f"{self.delay:.3g} s, disk {self.disk:.3g}; of a deviation "
-            f"{self.floquet.largest:.2g} is left after a lap"
+            f"{self.floquet.largest:.2g} is left after a lap; frozen at points, the "
+            f"least are {gain:.3g} dB and {phase:.3g}°"
         )
 
     def tables(self) -> list[Table]:

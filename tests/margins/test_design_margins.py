@@ -5,7 +5,12 @@ from math import pi
 import numpy as np
 import pytest
 
-from kitemj.autopilot.design_margins import LEAST_GAIN, check_gain, design_margins, largest_crossover
+from kitemj.autopilot.design_margins import (
+    LEAST_GAIN,
+    check_gain,
+    design_margins,
+    largest_crossover,
+)
 from kitemj.autopilot.gains import Gains
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PilotSettings, TurnRateLaw
