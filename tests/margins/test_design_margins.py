@@ -14,9 +14,11 @@ from kitemj.autopilot.design_margins import (
 from kitemj.autopilot.gains import Gains
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PilotSettings, TurnRateLaw
-from kitemj.margins.frozen import TICK, margins_of
+from kitemj.margins.frozen import margins_of
 
 LAW = TurnRateLaw(0.34, -1.6, 0.4, 15.0, 2.5)
+SAMPLED = 0.02
+"""Relative; ticks of 5 % of the delay, whose errors go with the square, and the grid."""
 FAR = 1e9
 """An outlook so far that the place does not count: what is left is an integrator with delay."""
 
@@ -29,18 +31,17 @@ def test_integrator_with_delay() -> None:
 
 
 def test_place_and_course_together() -> None:
-    """Against python-control, sampled finely: half a tick is 0.5 % of the delay."""
-    gains, ticks = Gains(crossover=0.4, outlook=2.0), 100
-    late, x, h = ticks * TICK, 0.4, TICK
+    """Against python-control, sampled: the delay T is 20 ticks and the half one of the hold."""
+    gains, ticks, x = Gains(crossover=0.4, outlook=2.0), 20, 0.4
+    h = 1 / (ticks + 0.5)
     A, B, C = np.zeros((ticks + 2, ticks + 2)), np.zeros(ticks + 2), np.zeros(ticks + 2)
-    A[0, 0], A[0, 2], A[1, 1], A[1, 0] = 1.0, h, 1.0, h
+    A[0, 0], A[0, 2], A[1, 1], A[1, 0], A[1, 2] = 1.0, h, 1.0, h, h * h / 2
     for j in range(2, ticks + 1):
         A[j, j + 1] = 1.0
     B[ticks + 1], C[0], C[1] = 1.0, x, x * x / gains.outlook
-    known, found = margins_of(A, B, C), design_margins(gains)
-    assert late == pytest.approx(1.0)
-    assert found.gain == pytest.approx(known.gain_up, rel=0.02)
-    assert found.phase == pytest.approx(known.phase, rel=0.02)
+    known, found = margins_of(A, B, C, h), design_margins(gains)
+    assert found.gain == pytest.approx(known.gain_up, rel=SAMPLED)
+    assert found.phase == pytest.approx(known.phase, rel=SAMPLED)
 
 
 def test_quick_loop_is_refused() -> None:
