@@ -2,7 +2,7 @@
 
 from math import hypot, nan, pi
 
-from kitemj.autopilot.check_path import usual_path
+from kitemj.autopilot.check_path import check_path, usual_path
 from kitemj.autopilot.follow import Estimate, stick_for
 from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.glide import glide_ratio
@@ -10,11 +10,12 @@ from kitemj.autopilot.hands import moved
 from kitemj.autopilot.identify import identified_law
 from kitemj.autopilot.laps import laps
 from kitemj.autopilot.memory import Kite, Memory
-from kitemj.autopilot.nose import CLEAR
+from kitemj.autopilot.nose import CLEAR, most_delta
 from kitemj.autopilot.paths import Path, path_of
 from kitemj.autopilot.phases import flown
 from kitemj.autopilot.rehearse import rehearsed
-from kitemj.autopilot.sphere import azimuth_of, elevation_of
+from kitemj.autopilot.sketch import HandLimits, wind_felt
+from kitemj.autopilot.sphere import azimuth_of, direction, elevation_of
 from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
@@ -23,6 +24,9 @@ from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PathSettings, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
 from kitemj.pilots.sight import Twist
+
+SLIP = 0.8
+"""Of the largest sideslip angle, what the pilot asks for; gusts take the rest."""
 
 
 class Autopilot:
@@ -50,7 +54,7 @@ class Autopilot:
     def restart(self, t: float) -> None:
         """Begins anew with the first phase, at time `t` [s]."""
         first = self.settings.phases[0]
-        self.memory = Memory(0, first, t, t, 0.0, self._rehearsed)
+        self.memory = Memory(0, first, t, t, 0.0, 0.0, self._rehearsed)
         self.guided = Guided(first, nan, nan, nan, nan, 0.0)
         self._twist = Twist()
 
@@ -58,16 +62,24 @@ class Autopilot:
         """The stick, which asks for δ̈."""
         if motion.t < self.memory.t:
             self.restart(motion.t)
-        seen = self._look(motion)
+        seen, now = self._look(motion), motion.control
         asked, self.memory = flown(
-            self.kite, seen, self.memory._replace(t=motion.t, delta=motion.control.delta)
+            self.kite,
+            seen,
+            self.memory._replace(t=motion.t, delta=now.delta, delta_dot=now.delta_dot),
         )
         to, memory = asked.attractor, self.memory
         lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
         at = azimuth_of(to), elevation_of(to)
         self.guided = Guided(memory.phase, asked.error, lap, *at, seen.twist)
-        wish = stick_for(self.law, self.gains, seen, asked)
-        return moved(wish, motion.control, self._parameters.stick)
+        wish, most = stick_for(self.law, self.gains, seen, asked), self._most_delta(seen)
+        wish = max(-most, min(most, wish))
+        return moved(wish, now, self._parameters.stick)
+
+    def _most_delta(self, seen: Estimate) -> float:
+        """So that the sideslip angle stays within its limit."""
+        inflow = wind_felt(seen, self.kite.length) * direction(seen.azimuth, seen.elevation).x
+        return most_delta(seen, inflow, SLIP * self._parameters.limits.beta_max)
 
     def _look(self, motion: Motion) -> Estimate:
         return true_estimate(motion)._replace(twist=2 * pi * self._twist.look(motion))
@@ -79,6 +91,8 @@ def kite_of(
     """What does not change in a flight. Raises InputError for a path that is none."""
     glide, size = glide_ratio(parameters), parameters.kite
     path = settings.path or usual_path(parameters, law)
+    if settings.path:
+        check_path(path, parameters, law)
     return Kite(
         settings,
         law,
@@ -88,7 +102,7 @@ def kite_of(
         glide,
         parameters.lines.length,
         parameters.stick.delta,
-        parameters.stick.delta_dot,
+        HandLimits(parameters.stick.delta_dot, parameters.stick.delta_ddot),
         CLEAR + hypot(size.span, size.chord) / 2,
         pi / 2 - equilibrium(parameters).gamma,
         parameters.limits.twist_max,

@@ -25,7 +25,7 @@ from kitemj.physics.vectors import dot, minus, norm, plus, times
 
 PLACES = 4
 """Of a path, beside which it is approached: both sides of an eight, up and down."""
-HEADINGS = (-1.6, -1.0, -0.4, 0.4, 1.0, 1.6)
+HEADINGS = (-1.2, -0.7, -0.2, 0.2, 0.7, 1.2)
 """rad from up, in which the kite may go first ..."""
 FIRST = (0.0, 1.0, 2.0, 3.0)
 """s; ... for so long."""

@@ -13,7 +13,7 @@ from kitemj.autopilot.follow import (
     vector_at,
 )
 from kitemj.autopilot.joining import ALIGNED, approach, pointed, soonest
-from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of, to_point
+from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of, to_point, upward
 from kitemj.autopilot.paths import Path
 from kitemj.autopilot.sketch import begun
 from kitemj.autopilot.sphere import ahead_of, direction
@@ -22,11 +22,11 @@ from kitemj.physics.vectors import dot, norm, plus, times
 
 MATCHED = 1.0
 """rad/s between how the nose turns and how the path does, at most, when it is joined."""
-LOST = 0.3
+LOST = 0.2
 """rad off the path; who is farther away joins it anew."""
 PLANNED = 0.3
 """s; so often the way to the path is looked for anew."""
-SAFE = 0.7
+SAFE = 0.9
 """Of the height of the path's lowest place, what a way to it must keep."""
 SPARE = tau
 """rad; of the twist that lines can take, so much is left when they are unwound."""
@@ -90,7 +90,11 @@ def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
         memory = memory._replace(planned=memory.t)
     left = way._replace(first=max(0.0, way.first - TICK))
     if not way.after < inf:
-        return to_point(kite, seen, memory._replace(way=left), 0.0)
+        memory = memory._replace(way=left)
+        if cos(seen.course) >= 0.0:
+            return to_point(kite, seen, memory._replace(refused=0.0), 0.0)
+        up, side, _ = upward(kite, seen, memory)
+        return Asked(up, memory._replace(refused=side))
     if way.first > 0.0:
         turning = pointed(glider, now, way.heading)
         aim = now.nose

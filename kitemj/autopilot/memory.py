@@ -8,20 +8,21 @@ from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.joining import NOWHERE, Joining
 from kitemj.autopilot.nose import leaning, turn_rate_for, within_half_turn
 from kitemj.autopilot.paths import Path
-from kitemj.autopilot.sketch import Glider, wind_felt
+from kitemj.autopilot.sketch import Glider, HandLimits, lowest, most_turning, wind_felt
 from kitemj.autopilot.sphere import direction
 from kitemj.flight.pilot_settings import PhaseName, PilotSettings, TurnRateLaw
 from kitemj.physics.compiled import Array
 from kitemj.physics.vectors import Vector
+from kitemj.pilots.sight import LEFT, RIGHT
 
 
 class Kite(NamedTuple):
     """What does not change in a flight: the kite on its lines, how it turns, what it flies.
 
     `unwinding`: the circles to the right and to the left on which lines are untwisted, if the
-    kite can fly any; the `glide` ratio; `length` [m] of the lines; `full` [rad], `hands` [rad/s]: largest |δ|, |δ̇|;
-    `low` [m]: how high G must stay; `top` [rad]: the elevation of rest; `most_twist` [rad]
-    that lines can take.
+    kite can fly any; the `glide` ratio; `length` [m] of the lines; `full` [rad]: largest |δ|, and
+    the limits of the `hands`; `low` [m]: how high G must stay; `top` [rad]: the elevation of
+    rest; `most_twist` [rad] that lines can take.
     """
 
     settings: PilotSettings
@@ -32,7 +33,7 @@ class Kite(NamedTuple):
     glide: float
     length: float
     full: float
-    hands: float
+    hands: HandLimits
     low: float
     top: float
     most_twist: float
@@ -42,10 +43,11 @@ class Memory(NamedTuple):
     """What is remembered from tick to tick.
 
     `step`: which of the settings' phases is on, `phase`: what is flown now, in which `t` [s] is
-    the time, `delta` [rad] where the hands are, and `since` [s] its beginning. `progress` [rad] along the path, `laps` flown of it
-    before it was joined last, at `began` [rad]; `learnt` of it. `way`: to the path, as `planned`
-    at that time [s]. `pressed` [rad]: how far the nose is pressed down to land, once
-    `at_edge`. `refused`: the side to which a dive is turned up, 0: none.
+    the time and `since` [s] its beginning; `delta` [rad], `delta_dot` [rad/s]: where the hands
+    are. `progress` [rad] along the path, `laps` flown of it before it was joined last, at `began`
+    [rad]; `learnt` of it. `way`: to the path, as `planned` at that time [s]. `pressed` [rad]: how
+    far the nose is pressed down to land, once `at_edge`. `refused`: the side to which a dive is
+    turned up, 0: none.
     """
 
     step: int
@@ -53,6 +55,7 @@ class Memory(NamedTuple):
     since: float
     t: float
     delta: float
+    delta_dot: float
     learnt: Array
     progress: float = nan
     began: float = nan
@@ -98,4 +101,17 @@ def glider_of(kite: Kite, seen: Estimate, memory: Memory) -> Glider:
     """The kite as a sketch knows it, in the wind that it feels now."""
     wind = wind_felt(seen, kite.length) / kite.length
     known = kite.glide, kite.length, kite.law, kite.gains, kite.full, kite.hands
-    return Glider(wind, *known, memory.delta)
+    return Glider(wind, *known, memory.delta, memory.delta_dot)
+
+
+def upward(kite: Kite, seen: Estimate, memory: Memory) -> tuple[Guidance, float, float]:
+    """What turns the nose up from a dive; to which side, and the least height [m] of it.
+
+    To the side that is better. It is kept while a dive is turned up: who changes his mind turns
+    neither way.
+    """
+    glider = glider_of(kite, seen, memory)
+    low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}
+    side = memory.refused or (RIGHT if low[RIGHT] > low[LEFT] else LEFT)
+    turning = side * most_turning(glider, direction(seen.azimuth, seen.elevation))
+    return ask_for(turning, direction(seen.azimuth, kite.top), nan), side, max(low.values())

@@ -1,6 +1,6 @@
 """Turning the nose where it is wished: up from a dive, to the middle of the window, to a point."""
 
-from math import pi, radians
+from math import asin, pi, radians, sin
 
 from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate
 from kitemj.autopilot.gains import Gains, lead_time, turn_gain
@@ -34,3 +34,13 @@ def turn_rate_for(
     quick = gains.crossover / lead_time(law, gains, airspeed)
     most = gains.recovery * turn_gain(law, airspeed) * full_stick
     return float(max(-most, min(most, quick * off)))
+
+
+@compiled
+def most_delta(seen: Estimate, inflow: float, beta: float) -> float:
+    """The largest |δ| [rad] for a sideslip angle of `beta` [rad].
+
+    A kite that is rolled by δ meets the `inflow` [m/s], the wind along the lines, from the side:
+    sin β = sin δ inflow / v_a. A kite that has no speed yet must not be rolled much.
+    """
+    return float(asin(min(1.0, sin(beta) * seen.airspeed / max(inflow, LEAST_AIRSPEED))))

@@ -7,23 +7,30 @@ from math import acos, sqrt
 from typing import NamedTuple
 
 from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate
-from kitemj.autopilot.gains import Gains, turn_gain
+from kitemj.autopilot.gains import HANDS, Gains, turn_gain
 from kitemj.autopilot.sphere import ahead_of, direction, right_of, tangential
 from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.physics.compiled import compiled
 from kitemj.physics.vectors import Vector, dot, minus, norm, plus, times
 
 DOWNWIND = Vector(1.0, 0.0, 0.0)
-STEP, LONG = 0.1, 8.0
+STEP, LONG = 0.05, 7.0
 """s; of a sketch."""
 SLOWEST = 0.02
 """Of the wind's speed; a kite that would fly backwards along its course is said to fly so."""
 
 
+class HandLimits(NamedTuple):
+    """Largest |δ̇| [rad/s] and |δ̈| [rad/s²]."""
+
+    rate: float
+    acceleration: float
+
+
 class Glider(NamedTuple):
     """What a sketch knows: `wind` [rad/s], its speed over the length of the lines; `glide` ratio;
-    `length` [m] of the lines; how the kite turns, the gains, the largest |δ| [rad]
-    and |δ̇| [rad/s], and δ now [rad]."""
+    `length` [m] of the lines; how the kite turns, the gains, the largest |δ| [rad],
+    the limits of the `hands`, and where they are now, δ [rad] and δ̇ [rad/s]."""
 
     wind: float
     glide: float
@@ -31,18 +38,20 @@ class Glider(NamedTuple):
     law: TurnRateLaw
     gains: Gains
     full: float
-    hands: float
+    hands: HandLimits
     delta: float
+    delta_dot: float
 
 
 class Sketch(NamedTuple):
     """An instant: direction `p`, where the nose points (a unit vector across it), turn rate
-    [rad/s], δ [rad]."""
+    [rad/s], δ [rad], δ̇ [rad/s]."""
 
     p: Vector
     nose: Vector
     turning: float
     delta: float
+    delta_dot: float
 
 
 @compiled
@@ -61,7 +70,7 @@ def wind_felt(seen: Estimate, length: float) -> float:
 def begun(kite: Glider, seen: Estimate) -> Sketch:
     """The sketch of the present."""
     p = direction(seen.azimuth, seen.elevation)
-    return Sketch(p, ahead_of(p, seen.heading), seen.turning, kite.delta)
+    return Sketch(p, ahead_of(p, seen.heading), seen.turning, kite.delta, kite.delta_dot)
 
 
 @compiled
@@ -113,15 +122,17 @@ def flown_on(kite: Glider, now: Sketch, asked: float) -> Sketch:
     gain = turn_gain(kite.law, air)
     wish = (asked + kite.gains.ease * (asked - now.turning)) / gain
     wish = max(-kite.full, min(kite.full, wish))
-    way = kite.hands * STEP
-    delta = now.delta + max(-way, min(way, wish - now.delta))
+    rate = max(-kite.hands.rate, min(kite.hands.rate, (wish - now.delta) / HANDS))
+    change = kite.hands.acceleration * STEP
+    rate = now.delta_dot + max(-change, min(change, rate - now.delta_dot))
+    delta = max(-kite.full, min(kite.full, now.delta + STEP * rate))
     answer = min(1.0, STEP * air / max(kite.law.lag, 1e-9))
     turning = now.turning + (gain * delta - now.turning) * answer
     p = plus(now.p, times(STEP, velocity(kite, now)))
     p = times(1.0 / norm(p), p)
     nose = plus(now.nose, times(STEP * turning, right_of(now.p, now.nose)))
     nose = tangential(p, nose)
-    return Sketch(p, times(1.0 / max(norm(nose), 1e-9), nose), turning, delta)
+    return Sketch(p, times(1.0 / max(norm(nose), 1e-9), nose), turning, delta, rate)
 
 
 @compiled
