@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from kitemj.equilibria.modes import Stability
     from kitemj.equilibria.trim import Trim
     from kitemj.flight.compare import Comparison
+    from kitemj.margins.margins import LoopMargins
     from kitemj.pilots.manoeuvres import Pilot
     from kitemj.plots.flight import Flight
     from kitemj.recording.file import Recording
@@ -115,6 +116,21 @@ def identify(scenario: Given, model: str = "lagrange") -> Identification:
         return identify(parameters_named(str(scenario)), model, Path(scenario).name)
     known = as_scenario(scenario)
     return identify(known.parameters, model, known.source)
+
+
+def margins(scenario: Given, points: int = 16) -> LoopMargins:
+    """The margins of the loop of the scenario's pilot, frozen at `points` of a lap and over it.
+
+    Raises InputError for a scenario without [pilot], and a path that is not followed.
+    """
+    from kitemj.flight.pilot_settings import PilotSettings
+    from kitemj.margins.margins import loop_margins
+
+    known = as_scenario(scenario)
+    settings = getattr(known, "pilot", PilotSettings())
+    if settings is None:
+        raise InputError(f"margins are those of a pilot: add a table [pilot] ({known.source})")
+    return loop_margins(known, settings, points)
 
 
 def replay(recording: Recording | str | Path, model: str, step: float | None = None) -> Replay:
