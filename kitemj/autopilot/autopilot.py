@@ -91,7 +91,10 @@ class Autopilot:
 
     def _most_delta(self, seen: Estimate) -> float:
         """So that the sideslip angle stays within its limit."""
-        inflow = wind_felt(seen, self.kite.length) * direction(seen.azimuth, seen.elevation).x
+        inflow = (
+            wind_felt(seen, self.kite.glide, self.kite.length)
+            * direction(seen.azimuth, seen.elevation).x
+        )
         return most_delta(seen, inflow, SLIP * self._parameters.limits.beta_max)
 
 

@@ -22,6 +22,8 @@ from kitemj.physics.vectors import dot, norm, plus, times
 
 MATCHED = 1.0
 """rad/s between how the nose turns and how the path does, at most, when it is joined."""
+CAPTURED, STEADY = 0.035, 0.2
+"""rad off the path and of the course to its, at most, when the kite is on it."""
 LOST = 0.2
 """rad off the path; who is farther away joins it anew."""
 PLANNED = 0.3
@@ -31,13 +33,20 @@ SAFE = 0.9
 
 
 def climb(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
-    """From wherever it is to the path, on a way that bends into it."""
-    return join(kite, seen, memory, kite.path)
+    """From wherever it is to the path, on a way that bends into it; beside it, along it."""
+    if isnan(memory.progress) and not beside(kite.path, seen):
+        return join(kite, seen, memory, kite.path)
+    if not isnan(memory.progress) and lost(kite, seen, memory):
+        return join(kite, seen, memory._replace(progress=nan), kite.path)
+    return along(kite, seen, memory, kite.path)
 
 
 def joined(kite: Kite, seen: Estimate, memory: Memory) -> bool:
-    """Once the kite is near the path and flies as it goes."""
-    return beside(kite.path, seen)
+    """Once the kite is on the path and flies as it goes."""
+    if isnan(memory.progress) or distance(kite.path, seen, memory.progress) > CAPTURED:
+        return False
+    ahead = ahead_of(direction(seen.azimuth, seen.elevation), seen.course)
+    return dot(ahead, vector_at(kite.path, kite.path.ahead, memory.progress)) > cos(STEADY)
 
 
 def path(kite: Kite, seen: Estimate, memory: Memory) -> Asked:

@@ -99,7 +99,7 @@ def to_point(kite: Kite, seen: Estimate, memory: Memory, azimuth: float) -> Aske
 
 def glider_of(kite: Kite, seen: Estimate, memory: Memory) -> Glider:
     """The kite as a sketch knows it, in the wind that it feels now."""
-    wind = wind_felt(seen, kite.length) / kite.length
+    wind = wind_felt(seen, kite.glide, kite.length) / kite.length
     known = kite.glide, kite.length, kite.law, kite.gains, kite.full, kite.hands
     return Glider(wind, *known, memory.delta, memory.delta_dot)
 
