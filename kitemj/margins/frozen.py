@@ -1,5 +1,6 @@
 """Classical margins of the loop opened at the stick, frozen at a tick of a lap."""
 
+from importlib import import_module
 from types import ModuleType
 from typing import NamedTuple
 
@@ -40,12 +41,11 @@ class Margins(NamedTuple):
 def python_control() -> ModuleType:
     """The package `control`. Raises InputError where it is not installed."""
     try:
-        import control
+        return import_module("control")
     except ImportError:
         raise InputError(
             "margins need the package python-control: install it with pip install kitemj[margins]"
         ) from None
-    return control  # type: ignore[no-any-return]
 
 
 def margins_of(

@@ -31,9 +31,9 @@ def constant(A: Array, B: Array, C: Array) -> tuple[Opened, Array]:
     m = len(A) + 1
     whole, b, c = np.eye(m), np.zeros(m), np.zeros(m)
     whole[1:, 1:], b[1:], c[1:] = A, B, -C
-    rows = (np.repeat(x[None], TICKS, axis=0) for x in (whole, b, c, np.zeros(m)))
+    A_, B_, C_, none = (np.repeat(x[None], TICKS, axis=0) for x in (whole, b, c, np.zeros(m)))
     frame = np.repeat(np.eye(m)[None], TICKS + 1, axis=0)
-    return Opened(*rows, frame), np.eye(m)[0]
+    return Opened(A_, B_, C_, none, frame), np.eye(m)[0]
 
 
 def test_constant_system() -> None:
