@@ -45,8 +45,8 @@ class Memory(NamedTuple):
     are. `progress` [rad] along the path, `laps` flown of it before it was joined last, at `began`
     [rad]; `learnt` of it. `way`: to the path, as `planned` at that time [s]. `pressed` [rad]: how
     far the nose is pressed down to land, once `at_edge`, or leans to a point. `refused`: the side
-    to which a dive is turned up, 0: none. `heading` [rad] of the last look, `twist` [rad] with all
-    turns; `goal` [rad]: the twist at which a loop is over; not a number where none is flown.
+    to which a dive is turned up, 0: none. `goal` [rad]: the twist at which a loop is over; not a
+    number where none is flown.
     """
 
     step: int
@@ -64,8 +64,6 @@ class Memory(NamedTuple):
     pressed: float = 0.0
     at_edge: bool = False
     refused: float = 0.0
-    heading: float = nan
-    twist: float = 0.0
     goal: float = nan
 
 
@@ -101,7 +99,7 @@ def to_point(kite: Kite, seen: Estimate, memory: Memory, azimuth: float) -> Aske
 
 def glider_of(kite: Kite, seen: Estimate, memory: Memory) -> Glider:
     """The kite as a sketch knows it, in the wind that it feels now."""
-    wind = wind_felt(seen, kite.length) / kite.length
+    wind = wind_felt(seen, kite.glide, kite.length) / kite.length
     known = kite.glide, kite.length, kite.law, kite.gains, kite.full, kite.hands
     return Glider(wind, *known, memory.delta, memory.delta_dot)
 

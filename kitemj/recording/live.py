@@ -61,7 +61,8 @@ class LiveFlight(SteeredFlight):
         """
         super().__init__(scenario, model, reference, step, other_starts, start)
         if record:
-            self._recorder = Recorder(Path(record), header_of(self), self.parameters, overwrite)
+            known = header_of(self), self.parameters, overwrite, self.scenario.pilot
+            self._recorder = Recorder(Path(record), *known)
             self._add(Command())
 
     @property
@@ -120,7 +121,8 @@ class LiveFlight(SteeredFlight):
         self.lateness = 0.0 if self._due is None else time.perf_counter() - self._due
         self._due = None
         if self._recorder:
-            now = self.segment.control, command, self.result, self.lateness, self.hand
+            told = self.lateness, self.hand, self.guided
+            now = self.segment.control, command, self.result, *told
             self._recorder.add(Tick(self.episode, self.ticks, *now))
         return self.result
 
