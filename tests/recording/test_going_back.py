@@ -158,7 +158,7 @@ def test_an_autopilot_that_went_back_flies_the_same_again(tmp_path):
     """Open loop and closed loop, to the same bits: it goes on from what it knew then."""
     flight = live_flight({**SPORT, "pilot": {}}, record=tmp_path / "x.arrows")
     made, _ = autopilots(live_flight({**SPORT, "pilot": {}}))
-    doings = [30, Piloted("scenario"), 700, "rewind", 150, "save", 120, "load", 60, "restart", 40]
+    doings = [400, Piloted("scenario"), 700, "rewind", 150, "save", 120, "load", 60, "restart", 40]
     paced(flight, doings, autopilots=made)
     recording = read_recording(tmp_path / "x.arrows")
     assert len(recording.episodes) == 4
