@@ -5,7 +5,18 @@ The names below are what programs are written with; each is loaded when it is fi
 
 TYPE_CHECKING = False  # as in `typing`, which takes longer to load than all of this
 if TYPE_CHECKING:
-    from kitemj.api import compare, cycle, film, identify, replay, simulate, stability, sweep, trim
+    from kitemj.api import (
+        compare,
+        cycle,
+        film,
+        identify,
+        margins,
+        replay,
+        simulate,
+        stability,
+        sweep,
+        trim,
+    )
     from kitemj.autopilot.identification import Identification
     from kitemj.dynamics.formulation import MODELS
     from kitemj.dynamics.motion import Motion, State
@@ -17,6 +28,7 @@ if TYPE_CHECKING:
     from kitemj.flight.limits import Ending
     from kitemj.flight.live import TICK, Command, TickResult
     from kitemj.flight.scenario import Scenario, as_scenario
+    from kitemj.margins.margins import LoopMargins
     from kitemj.physics.parameter_files import parameter_set, set_names
     from kitemj.physics.parameters import Parameters
     from kitemj.physics.shaping import StickLaw
@@ -36,14 +48,15 @@ if TYPE_CHECKING:
 __all__ = [
     "FIGURES", "MODELS", "PILOTS", "TICK", "Command", "Comparison", "Cycle", "Eight", "Ending",
     "Flight", "FlightError", "Hold", "Identification", "InputError", "Land", "LiveFlight", "Loop",
-    "Motion", "NoGraphics", "Parameters", "Pilot", "Recording", "Replay", "Scenario", "Sight",
-    "Stability", "State", "StickLaw", "StudyResult", "TickResult", "Trim", "__version__",
-    "as_scenario", "compare", "cycle", "film", "identify", "parameter_set", "read_flight",
-    "read_recording", "replay", "set_names", "sight", "simulate", "stability", "sweep", "trim",
+    "LoopMargins", "Motion", "NoGraphics", "Parameters", "Pilot", "Recording", "Replay", "Scenario",
+    "Sight", "Stability", "State", "StickLaw", "StudyResult", "TickResult", "Trim", "__version__",
+    "as_scenario", "compare", "cycle", "film", "identify", "margins", "parameter_set",
+    "read_flight", "read_recording", "replay", "set_names", "sight", "simulate",
+    "stability", "sweep", "trim",
 ]  # fmt: skip
 
 _MODULES = {
-    "api": "compare cycle film identify replay simulate stability sweep trim",
+    "api": "compare cycle film identify margins replay simulate stability sweep trim",
     "autopilot.identification": "Identification",
     "dynamics.formulation": "MODELS",
     "dynamics.motion": "Motion State",
@@ -53,6 +66,7 @@ _MODULES = {
     "flight.live": "TICK Command TickResult",
     "flight.scenario": "Scenario as_scenario",
     "physics.parameter_files": "parameter_set set_names",
+    "margins.margins": "LoopMargins",
     "physics.parameters": "Parameters",
     "physics.shaping": "StickLaw",
     "pilots.manoeuvres": "Eight Hold Land Loop Pilot",

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from kitemj.equilibria.modes import Stability
     from kitemj.equilibria.trim import Trim
     from kitemj.flight.compare import Comparison
+    from kitemj.margins.margins import LoopMargins
     from kitemj.pilots.manoeuvres import Pilot
     from kitemj.plots.flight import Flight
     from kitemj.recording.file import Recording
@@ -45,14 +46,14 @@ def simulate(
     stick in place of the scenario's programme: an object with `command(motion)`, what makes
     one, a name such as "eight", or FILE.py:NAME. Raises InputError.
     """
-    from kitemj.flight.simulate import simulate
+    from kitemj.autopilot.guided_flight import simulate_as_said
     from kitemj.pilots.piloted import simulate_pilot
     from kitemj.pilots.registry import as_pilot
     from kitemj.plots.flight import flight_of_simulation
 
     flown = as_scenario(scenario)
     if pilot is None:
-        return flight_of_simulation(simulate(flown, model, step))
+        return flight_of_simulation(simulate_as_said(flown, model, step))
     return flight_of_simulation(simulate_pilot(flown, as_pilot(pilot), model, step))
 
 
@@ -63,12 +64,14 @@ def compare(
 
     Each `agrees` if it keeps within the tolerances. Raises InputError.
     """
+    from kitemj.autopilot.guided_flight import simulate_as_said
     from kitemj.flight.compare import compare_models
     from kitemj.flight.compare_table import comparison_table
 
     if len(models) < 2:
         raise InputError(f"models needs two or more, got {', '.join(models) or 'none'}")
-    return Results(compare_models(as_scenario(scenario), models, step), comparison_table)
+    found = compare_models(as_scenario(scenario), models, step, simulate_as_said)
+    return Results(found, comparison_table)
 
 
 def trim(scenario: Given, model: str = "lagrange") -> Results[Trim]:
@@ -117,8 +120,31 @@ def identify(scenario: Given, model: str = "lagrange") -> Identification:
     return identify(known.parameters, model, known.source)
 
 
-def replay(recording: Recording | str | Path, model: str, step: float | None = None) -> Replay:
+def margins(scenario: Given, points: int = 16) -> LoopMargins:
+    """The margins of the loop of the scenario's pilot, frozen at `points` of a lap and over it.
+
+    Raises InputError for a scenario without [pilot], and a path that is not followed.
+    """
+    from kitemj.flight.pilot_settings import PilotSettings
+    from kitemj.margins.margins import loop_margins
+
+    known = as_scenario(scenario)
+    settings = getattr(known, "pilot", PilotSettings())
+    if settings is None:
+        raise InputError(f"margins are those of a pilot: add a table [pilot] ({known.source})")
+    return loop_margins(known, settings, points)
+
+
+def replay(
+    recording: Recording | str | Path,
+    model: str,
+    step: float | None = None,
+    *,
+    closed_loop: bool = False,
+) -> Replay:
     """The input of a recording flown again by `model`, in steps of `step` [s] or the recorded.
+
+    In a `closed_loop` its autopilot flies again, by what it sees of `model`.
 
     Raises InputError.
     """
@@ -126,7 +152,7 @@ def replay(recording: Recording | str | Path, model: str, step: float | None = N
     from kitemj.recording.replay import replay
 
     known = recording if isinstance(recording, Recording) else read_recording(recording)
-    return replay(known, model, step)
+    return replay(known, model, step, closed_loop)
 
 
 def sweep(

@@ -23,7 +23,7 @@ from kitemj.signals import interrupted, orderly
 
 COMMANDS = (
     *("fly", "simulate", "compare", "film", "replay", "info", "plot", "limits"),
-    *("trim", "stability", "identify", "sweep", "pad", "reach", "realtime", "thesis"),
+    *("trim", "stability", "identify", "margins", "sweep", "pad", "reach", "realtime", "thesis"),
 )
 
 REFUSED = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EROFS)

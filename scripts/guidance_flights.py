@@ -21,7 +21,7 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines, rest_ell
 
-LAPS, PATIENCE = 12, 120.0
+LAPS, PATIENCE = 12, 150.0
 """Laps of a trial, and s until then at most."""
 IDEAL = SensorSettings()
 REAL = SensorSettings(rate=50.0, delay=0.05, noise=radians(1.0))
@@ -116,7 +116,7 @@ def measured(trial: Trial, parameters: Parameters, pilot: Autopilot) -> Result:
     flight = SteeredFlight(still(parameters), trial.model)
     late = round(trial.later * pilot.law.delay(pilot.law.airspeed) / TICK)
     seen = deque([flight.result.motion], late + 1)
-    rows, first, ending = [], None, "not 12 laps in two minutes"
+    rows, first, ending = [], None, "not 12 laps in time"
     for _ in range(round(PATIENCE / TICK)):
         now = flight.result.motion
         command = pilot.command(seen[0]._replace(t=now.t, control=now.control))

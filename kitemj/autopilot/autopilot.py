@@ -1,6 +1,7 @@
 """The autopilot: sensors, phases and guidance between motion and stick."""
 
-from math import hypot, isnan, nan, pi
+from math import hypot, nan, pi
+from typing import NamedTuple
 
 from kitemj.autopilot.check_path import check_path, usual_path
 from kitemj.autopilot.follow import Estimate, stick_for
@@ -11,21 +12,28 @@ from kitemj.autopilot.identify import identified_law
 from kitemj.autopilot.laps import laps
 from kitemj.autopilot.memory import Kite, Memory
 from kitemj.autopilot.nose import CLEAR, most_delta
+from kitemj.autopilot.observer import Observer, SavedObserver
 from kitemj.autopilot.paths import path_of
 from kitemj.autopilot.phases import flown
 from kitemj.autopilot.rehearse import rehearsed
 from kitemj.autopilot.sketch import HandLimits, wind_felt
 from kitemj.autopilot.sphere import azimuth_of, direction, elevation_of
-from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PathSettings, PilotSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
-from kitemj.pilots.sight import turned
 
 SLIP = 0.8
 """Of the largest sideslip angle, what the pilot asks for; gusts take the rest."""
+
+
+class SavedAutopilot(NamedTuple):
+    """An autopilot in the midst of a flight."""
+
+    memory: Memory
+    guided: Guided
+    observer: SavedObserver
 
 
 class Autopilot:
@@ -33,7 +41,6 @@ class Autopilot:
 
     What it knows of the wind it learns beforehand, in the steady wind of the parameters: how the
     kite turns, and how it flies its path. In flight it is told lines and angles only.
-    `memory` is all that it remembers of a flight: put back, it flies on to the same bits.
     """
 
     def __init__(
@@ -49,6 +56,7 @@ class Autopilot:
         self.kite = kite_of(parameters, settings, self.law, self.gains)
         self.path = self.kite.path
         self._rehearsed = rehearsed(parameters, self.path, self.law, self.gains)
+        self._observer = Observer(parameters, self.law, settings.sensors, settings.seed)
         self.restart(0.0)
 
     def restart(self, t: float) -> None:
@@ -57,14 +65,21 @@ class Autopilot:
         self.memory = Memory(0, first, t, t, 0.0, 0.0, self._rehearsed)
         self.guided = Guided(first, nan, nan, nan, nan, 0.0)
 
+    def save(self) -> SavedAutopilot:
+        """All that is remembered of the flight."""
+        return SavedAutopilot(self.memory, self.guided, self._observer.save())
+
+    def resume(self, saved: SavedAutopilot) -> None:
+        """Back to a moment that `save` returned, to fly on to the same bits."""
+        self.memory, self.guided, observer = saved
+        self._observer.resume(observer)
+
     def command(self, motion: Motion) -> Command:
         """The stick, which asks for δ̈."""
         if motion.t < self.memory.t:
             self.restart(motion.t)
-        seen, now = true_estimate(motion), motion.control
-        hands = self.memory._replace(t=motion.t, delta=now.delta, delta_dot=now.delta_dot)
-        memory = wound(hands, seen.heading)
-        seen = seen._replace(twist=memory.twist)
+        seen, now = self._observer.look(motion), motion.control
+        memory = self.memory._replace(t=motion.t, delta=now.delta, delta_dot=now.delta_dot)
         asked, self.memory = flown(self.kite, seen, memory)
         to, memory = asked.attractor, self.memory
         lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
@@ -76,14 +91,11 @@ class Autopilot:
 
     def _most_delta(self, seen: Estimate) -> float:
         """So that the sideslip angle stays within its limit."""
-        inflow = wind_felt(seen, self.kite.length) * direction(seen.azimuth, seen.elevation).x
+        inflow = (
+            wind_felt(seen, self.kite.glide, self.kite.length)
+            * direction(seen.azimuth, seen.elevation).x
+        )
         return most_delta(seen, inflow, SLIP * self._parameters.limits.beta_max)
-
-
-def wound(memory: Memory, heading: float) -> Memory:
-    """The memory with the nose at `heading` [rad]; each turn of it twists the lines once."""
-    since = 0.0 if isnan(memory.heading) else turned(heading - memory.heading)
-    return memory._replace(heading=heading, twist=memory.twist + since)
 
 
 def kite_of(

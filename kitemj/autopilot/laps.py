@@ -1,6 +1,6 @@
 """The phases of a path: climb to it, fly along it, untwist the lines."""
 
-from math import cos, inf, isnan, nan
+from math import cos, inf, isnan, nan, sin, tau
 
 from kitemj.autopilot.follow import (
     NEAR,
@@ -13,31 +13,41 @@ from kitemj.autopilot.follow import (
     vector_at,
 )
 from kitemj.autopilot.joining import ALIGNED, approach, pointed, soonest
-from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of, to_point
+from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of, to_point, upward
 from kitemj.autopilot.paths import Path
 from kitemj.autopilot.sketch import begun
 from kitemj.autopilot.sphere import ahead_of, direction
 from kitemj.flight.live import TICK
 from kitemj.physics.vectors import dot, norm, plus, times
 
+SEARCH, SEARCHED = 0.5, 12.0
+"""rad of azimuth, s; how far and how long to a side and back a way is looked for from the top."""
 MATCHED = 1.0
 """rad/s between how the nose turns and how the path does, at most, when it is joined."""
-LOST = 0.3
-"""rad off the path; who is farther away joins it anew."""
+CAPTURED, STEADY = 0.035, 0.2
+"""rad off the path and of the course to its, at most, when the kite is on it."""
+LOST, ACROSS = 0.2, 1.2
+"""rad off the path, and of the course to its; who is farther away joins it anew."""
 PLANNED = 0.3
 """s; so often the way to the path is looked for anew."""
-SAFE = 0.7
+SAFE = 0.9
 """Of the height of the path's lowest place, what a way to it must keep."""
 
 
 def climb(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
-    """From wherever it is to the path, on a way that bends into it."""
-    return join(kite, seen, memory, kite.path)
+    """From wherever it is to the path, on a way that bends into it; beside it, along it."""
+    if isnan(memory.progress) and not beside(kite.path, seen):
+        return join(kite, seen, memory, kite.path)
+    if not isnan(memory.progress) and lost(kite, seen, memory):
+        return join(kite, seen, memory._replace(progress=nan), kite.path)
+    return along(kite, seen, memory, kite.path)
 
 
 def joined(kite: Kite, seen: Estimate, memory: Memory) -> bool:
-    """Once the kite is near the path and flies as it goes."""
-    return beside(kite.path, seen)
+    """Once the kite is on the path and flies as it goes."""
+    if isnan(memory.progress) or distance(kite.path, seen, memory.progress) > CAPTURED:
+        return False
+    return flies_as(kite.path, seen, memory.progress) > cos(STEADY)
 
 
 def path(kite: Kite, seen: Estimate, memory: Memory) -> Asked:
@@ -51,12 +61,13 @@ def flown(kite: Kite, seen: Estimate, memory: Memory) -> bool:
 
 
 def lost(kite: Kite, seen: Estimate, memory: Memory) -> bool:
-    """Once the kite is too far from the path to follow it."""
-    return distance(kite.path, seen, memory.progress) > LOST
+    """Once the kite is too far from the path to follow it, or flies across it or back."""
+    astray = flies_as(kite.path, seen, memory.progress) < cos(ACROSS)
+    return astray or distance(kite.path, seen, memory.progress) > LOST
 
 
 def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
-    """The way to `path`; where there is none from here, up to the middle, until there is one."""
+    """The way to `path`; where there is none from here, up and from side to side, to find one."""
     glider, way = glider_of(kite, seen, memory), memory.way
     now = begun(glider, seen)
     if not memory.t < memory.planned + PLANNED:
@@ -65,7 +76,12 @@ def join(kite: Kite, seen: Estimate, memory: Memory, path: Path) -> Asked:
         memory = memory._replace(planned=memory.t)
     left = way._replace(first=max(0.0, way.first - TICK))
     if not way.after < inf:
-        return to_point(kite, seen, memory._replace(way=left), 0.0)
+        memory = memory._replace(way=left)
+        if cos(seen.course) >= 0.0:
+            aside = SEARCH * sin(tau * (memory.t - memory.since) / SEARCHED)
+            return to_point(kite, seen, memory._replace(refused=0.0), aside)
+        up, side, _ = upward(kite, seen, memory)
+        return Asked(up, memory._replace(refused=side))
     if way.first > 0.0:
         turning = pointed(glider, now, way.heading)
         aim = now.nose
@@ -101,11 +117,16 @@ def laps(kite: Kite, memory: Memory) -> float:
 def beside(path: Path, seen: Estimate) -> bool:
     """Whether the kite is near `path`, flies as it goes, and turns about as it turns."""
     p = direction(seen.azimuth, seen.elevation)
-    ahead = ahead_of(p, seen.course)
-    progress = nearest(path, p, ahead)
-    aligned = dot(ahead, vector_at(path, path.ahead, progress)) > cos(ALIGNED)
+    progress = nearest(path, p, ahead_of(p, seen.course))
     apart = seen.speed * at(path, path.turning, progress) - seen.turning
+    aligned = flies_as(path, seen, progress) > cos(ALIGNED)
     return aligned and abs(apart) < MATCHED and distance(path, seen, progress) < NEAR
+
+
+def flies_as(path: Path, seen: Estimate, progress: float) -> float:
+    """The cosine of the angle between the kite's course and the path's at `progress` [rad]."""
+    ahead = ahead_of(direction(seen.azimuth, seen.elevation), seen.course)
+    return dot(ahead, vector_at(path, path.ahead, progress))
 
 
 def distance(path: Path, seen: Estimate, progress: float) -> float:

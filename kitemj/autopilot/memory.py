@@ -8,11 +8,12 @@ from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.joining import NOWHERE, Joining
 from kitemj.autopilot.nose import leaning, turn_rate_for, within_half_turn
 from kitemj.autopilot.paths import Path
-from kitemj.autopilot.sketch import Glider, HandLimits, wind_felt
+from kitemj.autopilot.sketch import Glider, HandLimits, lowest, most_turning, wind_felt
 from kitemj.autopilot.sphere import direction
 from kitemj.flight.pilot_settings import PhaseName, PilotSettings, TurnRateLaw
 from kitemj.physics.compiled import Array
 from kitemj.physics.vectors import Vector
+from kitemj.pilots.sight import LEFT, RIGHT
 
 
 class Kite(NamedTuple):
@@ -44,8 +45,8 @@ class Memory(NamedTuple):
     are. `progress` [rad] along the path, `laps` flown of it before it was joined last, at `began`
     [rad]; `learnt` of it. `way`: to the path, as `planned` at that time [s]. `pressed` [rad]: how
     far the nose is pressed down to land, once `at_edge`, or leans to a point. `refused`: the side
-    to which a dive is turned up, 0: none. `heading` [rad] of the last look, `twist` [rad] with all
-    turns; `goal` [rad]: the twist at which a loop is over; not a number where none is flown.
+    to which a dive is turned up, 0: none. `goal` [rad]: the twist at which a loop is over; not a
+    number where none is flown.
     """
 
     step: int
@@ -63,8 +64,6 @@ class Memory(NamedTuple):
     pressed: float = 0.0
     at_edge: bool = False
     refused: float = 0.0
-    heading: float = nan
-    twist: float = 0.0
     goal: float = nan
 
 
@@ -100,6 +99,19 @@ def to_point(kite: Kite, seen: Estimate, memory: Memory, azimuth: float) -> Aske
 
 def glider_of(kite: Kite, seen: Estimate, memory: Memory) -> Glider:
     """The kite as a sketch knows it, in the wind that it feels now."""
-    wind = wind_felt(seen, kite.length) / kite.length
+    wind = wind_felt(seen, kite.glide, kite.length) / kite.length
     known = kite.glide, kite.length, kite.law, kite.gains, kite.full, kite.hands
     return Glider(wind, *known, memory.delta, memory.delta_dot)
+
+
+def upward(kite: Kite, seen: Estimate, memory: Memory) -> tuple[Guidance, float, float]:
+    """What turns the nose up from a dive; to which side, and the least height [m] of it.
+
+    To the side that is better. It is kept while a dive is turned up: who changes his mind turns
+    neither way.
+    """
+    glider = glider_of(kite, seen, memory)
+    low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}
+    side = memory.refused or (RIGHT if low[RIGHT] > low[LEFT] else LEFT)
+    turning = side * most_turning(glider, direction(seen.azimuth, seen.elevation))
+    return ask_for(turning, direction(seen.azimuth, kite.top), nan), side, max(low.values())

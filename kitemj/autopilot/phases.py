@@ -11,14 +11,10 @@ from math import cos, isnan, nan
 from typing import NamedTuple
 
 from kitemj.autopilot import edges, laps, untwist
-from kitemj.autopilot.follow import LEAST_AIRSPEED, NEAR, Estimate
-from kitemj.autopilot.gains import turn_gain
+from kitemj.autopilot.follow import NEAR, Estimate
 from kitemj.autopilot.joining import NOWHERE
-from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of
-from kitemj.autopilot.sketch import lowest
-from kitemj.autopilot.sphere import direction
+from kitemj.autopilot.memory import Asked, Kite, Memory, upward
 from kitemj.flight.pilot_settings import PhaseName
-from kitemj.pilots.sight import LEFT, RIGHT
 
 
 class Phase(NamedTuple):
@@ -110,22 +106,13 @@ def begun(kite: Kite, memory: Memory, phase: PhaseName, step: int) -> Memory:
 
 
 def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
-    """What is asked for; instead, in a dive off the path that would end too low, the nose up.
-
-    To the side that is better; and that side is kept, since who changes his mind in a dive turns
-    neither way.
-    """
+    """What is asked for; instead, in a dive off the path that would end too low, the nose up."""
     guidance, memory = asked
     on_path = not isnan(guidance.progress) and abs(guidance.error) < NEAR
     looping = not isnan(memory.goal)
     if on_path or looping or memory.at_edge or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
-    glider = glider_of(kite, seen, memory)
-    low = {side: lowest(glider, seen, side) for side in (LEFT, RIGHT)}
-    if max(low.values()) > kite.low:
+    up, side, low = upward(kite, seen, memory)
+    if low > kite.low:
         return Asked(guidance, memory._replace(refused=0.0))
-    airspeed = max(seen.airspeed, LEAST_AIRSPEED)
-    side = memory.refused or (RIGHT if low[RIGHT] > low[LEFT] else LEFT)
-    turning = side * kite.gains.recovery * turn_gain(kite.law, airspeed) * kite.full
-    up = direction(seen.azimuth, kite.top)
-    return Asked(ask_for(turning, up, nan), memory._replace(refused=side))
+    return Asked(up, memory._replace(refused=side))

@@ -27,7 +27,7 @@ from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines, rest_ell
 
-LAPS = 8
+LAPS = 10
 """Each takes away half of what is missing, or more."""
 LONGEST = 90.0
 """s; a path that is not flown so often by then is learnt as far as it went."""

@@ -16,6 +16,8 @@ from kitemj.physics.vectors import Vector, dot, minus, norm, plus, times
 DOWNWIND = Vector(1.0, 0.0, 0.0)
 STEP, LONG = 0.05, 7.0
 """s; of a sketch."""
+ASIDE = 0.1
+"""Of the wind that is along the lines, at least: beyond 84° from downwind no kite glides."""
 SLOWEST = 0.02
 """Of the wind's speed; a kite that would fly backwards along its course is said to fly so."""
 
@@ -55,15 +57,19 @@ class Sketch(NamedTuple):
 
 
 @compiled
-def wind_felt(seen: Estimate, length: float) -> float:
+def wind_felt(seen: Estimate, glide: float, length: float) -> float:
     """The wind's speed [m/s] by the air and the way of a kite on lines of `length` [m].
 
-    v_a² = |v - W x|², solved for W, with x downwind: airspeed comes from the pull.
+    v_a² = |v - W x|², solved for W, with x downwind; the airspeed comes from the pull. Of two
+    solutions that which is nearer to a steady glide's, v_a² = (1 + `glide`²) (W x·p)².
     """
     p = direction(seen.azimuth, seen.elevation)
     speed = seen.speed * length
     along = speed * ahead_of(p, seen.course).x
-    return float(along + sqrt(max(0.0, along**2 + seen.airspeed**2 - speed**2)))
+    root = sqrt(max(0.0, along**2 + seen.airspeed**2 - speed**2))
+    steady = seen.airspeed / (max(p.x, ASIDE) * sqrt(1.0 + glide**2))
+    more, less = along + root, max(0.0, along - root)
+    return float(more if abs(more - steady) <= abs(less - steady) else less)
 
 
 @compiled

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from kitemj.autopilot.guided_flight import simulate_as_said
 from kitemj.cockpit.parallel_painting import Shot
 from kitemj.cockpit.screens import FRAME_RATE
 from kitemj.drawing.history import History, Traces
@@ -20,7 +21,6 @@ from kitemj.errors import InputError
 from kitemj.flight.compare import position_gap
 from kitemj.flight.limits import departure_at
 from kitemj.flight.scenario import Scenario, as_scenario, check_rows
-from kitemj.flight.simulate import simulate
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control
 from kitemj.pilots.crash import Touch, touch_at
@@ -179,8 +179,8 @@ def film_source(
     times = scenario.times._replace(output_interval=min(interval, scenario.times.duration))
     check_rows(times, f"a frame every {interval:g} s of the flight", scenario.source)
     framed = replace(scenario, times=times)
-    references = simulate(framed, "lagrange", step).motions
-    flight = flight_of_simulation(simulate(framed, model, step))
+    references = simulate_as_said(framed, "lagrange", step).motions
+    flight = flight_of_simulation(simulate_as_said(framed, model, step))
     return MotionSource(
         replace(flight, name=f"{scenario.source}: {model}"), references, "programme"
     )

@@ -12,11 +12,12 @@ from kitemj.controls.programmed import ProgrammedStick
 from kitemj.drawing.history import History
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
+from kitemj.drawing.wished import Wished
 from kitemj.errors import InputError
 from kitemj.flight.live import TICK
 from kitemj.physics.shaping import StickLaw
 from kitemj.pilots.course import Course
-from kitemj.realtime.messages import Assisted, Deed, Rate, Timekeeping
+from kitemj.realtime.messages import Assisted, Deed, Piloted, Rate, Timekeeping
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
 from kitemj.recording.recorder import FLUSH
@@ -77,6 +78,8 @@ def fly(
     Raises what ended the flight, if anything did, once the screen is closed.
     """
     called, history = called or time.perf_counter(), History(physics.parameters)
+    faults = {name: offer.fault for name, offer in physics.offers.items()}
+    screen.offer(faults, at_once="scenario" in faults)
     ending, frames, first, clock = "left by the pilot", 0, 0.0, pygame.time.Clock()
     begun = time.perf_counter()
     try:
@@ -96,9 +99,10 @@ def fly(
                 screen.wishes.ask(screen.stick.actions(painting - begun))
             physics.ask(screen.stick.command(physics.result.motion))
             physics.ask(Assisted(screen.assist))
+            physics.ask(Piloted(screen.flown))
             if "watch" in _grant(screen.wishes, physics, picture, course) and picture:
                 begun += _watch(physics, picture, screen)
-            if course:
+            if course and not screen.flown:  # nothing is learnt by looking on
                 course.watch(physics.result.motion, assist=screen.assist)
             moving = screen.wishes.pace > 0
             screen.sense(physics.parameters, physics.result.motion, physics.touch, moving)
@@ -179,19 +183,21 @@ def _readings(
 ) -> Readings:
     """The readings of the present moment.
 
-    The pointer of the knob is where the stick is now, or where the assist has it.
+    The pointer of the knob is where the stick is now, or where the assist or the autopilot has it.
     """
     times, wishes, status = physics.times, screen.wishes, course.status if course else None
     lesson_shown = status and (status.number or status.praised)  # until all are passed and praised
     own = physics.command.delta * physics.parameters.stick.delta
+    wish = physics.result.wish if screen.assist else own
+    guided, stick = physics.guided if screen.flown else None, screen.stick.name
     return Readings(
         model=physics.model,
         gap=physics.result.gap,
-        delta_command=physics.result.wish if screen.assist else own,
-        law=StickLaw.ANGLE if screen.assist else physics.command.law,
+        delta_command=physics.result.motion.control.delta if screen.flown else wish,
+        law=StickLaw.ANGLE if screen.assist or screen.flown else physics.command.law,
         missed_ticks=times.missed,
         lateness=times.lateness,
-        stick=f"{screen.stick.name} + assist" if screen.assist else screen.stick.name,
+        stick="autopilot" if screen.flown else f"{stick} + assist" if screen.assist else stick,
         assist=screen.assist,
         speed=wishes.pace,
         message=screen.message or physics.problem,
@@ -199,4 +205,5 @@ def _readings(
         help=HELP if wishes.help else (),
         lesson=status if lesson_shown else None,
         touch=physics.touch,
+        wished=Wished(physics.offers[screen.flown].path, guided) if screen.flown else None,
     )

@@ -2,7 +2,7 @@
 
 import os
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 import numpy as np
 import pygame
@@ -46,6 +46,14 @@ class Screen:
         """Whether the assist is to fly what the stick asks for."""
         return False
 
+    @property
+    def flown(self) -> str:
+        """What the autopilot is to fly; empty: it does not."""
+        return ""
+
+    def offer(self, offers: Mapping[str, str], at_once: bool) -> None:
+        """Tells what an autopilot could fly, as `HandOver.offer`."""
+
     def poll(self) -> None:
         """Takes in what the person did since."""
 
@@ -62,6 +70,12 @@ class Screen:
 
     def close(self) -> None:
         """Gives everything back."""
+
+
+class Unattended(Screen):
+    """One where nobody is: the autopilot of the scenario has the stick."""
+
+    flown = "scenario"
 
 
 def display_found() -> bool:
@@ -154,6 +168,8 @@ def change_fullness(windowed: tuple[int, int]) -> None:
         pygame.display.set_mode((0, 0), pygame.FULLSCREEN)
 
 
+PERSONAL = ("law", "two sticks", "assist", "autopilot", "figure")
+"""Actions that change who steers, and how."""
 BRIEFLY = 2.0
 """s; for what the person has just asked for."""
 
@@ -183,7 +199,17 @@ class Window(Screen):
     @property
     def assist(self) -> bool:
         """Whether the assist is to fly what the person asks for."""
-        return self._person.assist and self.stick is self._person
+        return self._person.assist and self.stick is self._person and not self.flown
+
+    @property
+    def flown(self) -> str:
+        """What the autopilot is to fly; empty: it does not."""
+        return self._person.hand_over.flown
+
+    def offer(self, offers: Mapping[str, str], at_once: bool) -> None:
+        """Tells the person what an autopilot could fly; a programme flies by itself."""
+        if self.stick is self._person:
+            self._person.hand_over.offer(offers, at_once)
 
     def events(self) -> Iterator[tuple[pygame.event.Event, tuple[str, ...]]]:
         """All events since, each with the actions that a pad asks for by it."""
@@ -214,7 +240,7 @@ class Window(Screen):
                 if not full():
                     self._windowed = pygame.display.get_window_size()
                 change_fullness(self._windowed)
-            elif name in ("law", "two sticks", "assist"):
+            elif name in PERSONAL:
                 self._person.change(name)
             else:
                 self.wishes.ask([name])

@@ -52,7 +52,7 @@ def run(args: argparse.Namespace) -> int:
             print_table(table, most=len(table.columns))
         if tolerances:
             print(as_table.TOLERANCES_TOLD)
-        if still := [each.source for each in scenarios if not each.steered]:
+        if still := [each.source for each in scenarios if not each.steered and not each.pilot]:
             print(f"No steering programme is named, so restless hands flew: {', '.join(still)}")
     if args.markdown:
         with new_file(args.markdown, args.overwrite) as part:

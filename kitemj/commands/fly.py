@@ -220,19 +220,22 @@ def _fly_unseen(
 ) -> "Summary":
     """The flight of a programme, during which nothing is painted, so that nothing is late."""
     from kitemj.cockpit.fly import fly
-    from kitemj.cockpit.screens import FRAME_RATE, Screen
+    from kitemj.cockpit.screens import FRAME_RATE, Screen, Unattended
     from kitemj.controls.stick import show_of
     from kitemj.scene.gl import open_graphics
 
     open_graphics(16, 16).context.free()  # what cannot be painted is told before it is flown
     stick, duration = programme or show_of(scenario.parameters), args.duration or SHOW_DURATION
+    guided = programme is None and getattr(scenario, "pilot", None) is not None
+    who = "the autopilot" if guided else f"a {stick.name}"
     why = "as asked, no window" if args.headless else "there is no display"
     print(
-        f"{why}: a {stick.name} flies {duration:g} s in real time; "
+        f"{why}: {who} flies {duration:g} s in real time; "
         f"then some {duration * FRAME_RATE:.0f} frames are painted into {film}"
     )
     physics.wait()
-    return fly(physics, None, Screen(stick), duration, args.called)
+    screen = Unattended(stick) if guided else Screen(stick)
+    return fly(physics, None, screen, duration, args.called)
 
 
 def _title(scenario: "Scenario") -> str:

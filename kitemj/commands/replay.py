@@ -5,7 +5,7 @@ from pathlib import Path
 
 from kitemj.commands.arguments import MODELS, Parser, add_picture, size
 from kitemj.controls.actions import REPLAY_HELP
-from kitemj.errors import NothingFound
+from kitemj.errors import InputError, NothingFound
 
 HELP = "show a recording in a window, fly its input again, or export it"
 EXAMPLE = "kitemj replay kitemj-20260131-120000.arrows --model lagrange"
@@ -17,6 +17,8 @@ def add(parser: Parser) -> None:
     says = "a recording (*.arrows); without, the last flight in this folder"
     parser.add_argument("recording", type=Path, nargs="?", help=says)
     parser.add_argument("--model", help=f"fly its input through one of {', '.join(MODELS)}")
+    says = "with --model: its autopilot flies again, by what it sees of that model"
+    parser.add_argument("--closed-loop", action="store_true", help=says)
     says = "longest step [s] of --model; as recorded"
     parser.add_argument("--step", type=float, metavar="S", help=says)
     parser.add_argument("--export", choices=("csv",), help="write the table instead of showing it")
@@ -40,7 +42,9 @@ def run(args: argparse.Namespace) -> None:
         write_table(path, recording, args.overwrite)
         print(f"{path}: {len(recording)} rows")
         return
-    again = replay(recording, args.model, args.step) if args.model else None
+    if args.closed_loop and not args.model:
+        raise InputError("--closed-loop needs a model that flies: name it with --model")
+    again = replay(recording, args.model, args.step, args.closed_loop) if args.model else None
     if again:
         print(comparison(again))
     if args.headless:

@@ -22,10 +22,10 @@ def add(parser: Parser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Returns the exit status: 1 where the flight broke off."""
+    from kitemj.autopilot.guided_flight import simulate_as_said
     from kitemj.flight.limits import Ending, left_limits
     from kitemj.flight.motion_table import write_csv
     from kitemj.flight.scenario import read_scenario
-    from kitemj.flight.simulate import simulate
     from kitemj.metadata import check_new_table
     from kitemj.pilots.piloted import simulate_pilot
     from kitemj.pilots.registry import as_pilot
@@ -35,7 +35,7 @@ def run(args: argparse.Namespace) -> int:
     if args.pilot:
         flight = simulate_pilot(scenario, as_pilot(args.pilot), args.model, args.step)
     else:
-        flight = simulate(scenario, args.model, args.step)
+        flight = simulate_as_said(scenario, args.model, args.step)
     write_csv(args.output, flight, args.overwrite)
     print(f"{args.output}: {len(flight.motions)} rows, {flight.model}; {flight.ending.value}")
     if flight.departure:

@@ -39,6 +39,8 @@ ACTIONS = (
     Action("law", "T   (B)", "the stick asks for δ, its rate, its acceleration"),
     Action("two sticks", "Y   (left stick pressed)", "a stick for each line"),
     Action("assist", "H   (cross left)", "the assist on or off: the stick asks for turns"),
+    Action("autopilot", "P   (right trigger)", "hand over to the autopilot; a push takes back"),
+    Action("figure", "O   (left trigger)", "what it flies: an eight, a circle, hold, land"),
     Action("view", "V   (Y)", "next view"),
     Action("instruments", "I   (X)", "instruments: pilot's, engineer's, none; 1 to 9, 0, L: one"),
     Action("full screen", "F11   F", "full screen"),

@@ -22,6 +22,8 @@ KEYS = {
     pygame.K_t: "law",
     pygame.K_y: "two sticks",
     pygame.K_h: "assist",
+    pygame.K_p: "autopilot",
+    pygame.K_o: "figure",
     pygame.K_v: "view",
     pygame.K_i: "instruments",
     **dict.fromkeys((pygame.K_F11, pygame.K_f), "full screen"),

@@ -33,6 +33,12 @@ STANDARD = {
 }
 """Actions of the buttons where SDL knows the pad."""
 
+TRIGGERS = {
+    pygame.CONTROLLER_AXIS_TRIGGERRIGHT: "autopilot",
+    pygame.CONTROLLER_AXIS_TRIGGERLEFT: "figure",
+}
+"""Actions of its triggers, which are axes: one asks when it is pressed half way."""
+
 PLUGGED = (pygame.JOYDEVICEADDED, pygame.JOYDEVICEREMOVED)
 
 TOUCHED = 0.1
@@ -59,6 +65,16 @@ def events() -> list[pygame.event.Event]:
     return found + pygame.event.get(pump=False)
 
 
+def pressed(name: str, value: float, down: set[str]) -> tuple[str, ...]:
+    """The action `name` if what asks for it has just gone down to `value`; notes it in `down`."""
+    if value <= PRESSED:
+        down.discard(name)
+    elif name not in down:
+        down.add(name)
+        return (name,)
+    return ()
+
+
 class StandardPad:
     """A pad whose layout SDL knows."""
 
@@ -66,6 +82,7 @@ class StandardPad:
         self._pad = controller.Controller(index)
         joystick = self._pad.as_joystick()
         self.name, self.instance = joystick.get_name(), joystick.get_instance_id()
+        self._down: set[str] = set()
 
     def hands(self) -> Deflections:
         """Its deflections: left stick sideways steers, right stick up lets out."""
@@ -74,7 +91,9 @@ class StandardPad:
         return Deflections(self._axis(pygame.CONTROLLER_AXIS_LEFTX), out, left, -out)
 
     def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
-        """The actions of `STANDARD`."""
+        """The actions of `STANDARD` and `TRIGGERS`."""
+        if event.type == pygame.CONTROLLERAXISMOTION and event.axis in TRIGGERS:
+            return pressed(TRIGGERS[event.axis], event.value / FULL, self._down)
         known = event.type == pygame.CONTROLLERBUTTONDOWN and event.button in STANDARD
         return (STANDARD[event.button],) if known else ()
 
@@ -100,15 +119,10 @@ class LaidOutPad:
 
     def actions(self, event: pygame.event.Event) -> tuple[str, ...]:
         """The actions of the layout, each when its source goes down."""
-        asked = []
+        asked: list[str] = []
         for name, source in self._layout.buttons.items():
-            if (value := source.value_in(event)) is None:
-                continue
-            if value <= PRESSED:
-                self._down.discard(name)
-            elif name not in self._down:
-                self._down.add(name)
-                asked.append(name)
+            if (value := source.value_in(event)) is not None:
+                asked += pressed(name, value, self._down)
         return tuple(asked)
 
     def rumble(self, low: float, high: float) -> None:

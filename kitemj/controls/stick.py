@@ -4,6 +4,7 @@ from typing import Protocol
 
 import pygame
 
+from kitemj.controls.hand_over import HandOver
 from kitemj.controls.held_keys import HeldKeys
 from kitemj.controls.notices import Notices
 from kitemj.controls.pads import Pads
@@ -52,7 +53,8 @@ class PersonStick:
     """Held keys, the mouse with its button held, and the pad that was moved last.
 
     Whatever of these is away from its centre steers, in that order. `law`, `two_sticks` and
-    `assist`, whether the assist flies what the stick asks for, may be changed in flight.
+    `assist`, whether the assist flies what the stick asks for, may be changed in flight;
+    `hand_over` knows whether an autopilot flies instead.
 
     Needs pygame's display module; `handle` is to see every event.
     """
@@ -60,6 +62,7 @@ class PersonStick:
     def __init__(self, settings: Settings, parameters: Parameters) -> None:
         self.law, self.two_sticks = settings.law, settings.feel.two_sticks
         self.notices = Notices()
+        self.hand_over = HandOver(self.notices)
         self._parameters = parameters
         self.assist = settings.assist == "always" and turns(parameters)
         self._keys, self._pads = HeldKeys(), Pads(settings, self.notices)
@@ -105,9 +108,15 @@ class PersonStick:
         self._pads.rumble(low, high)
 
     def change(self, what: str) -> None:
-        """Changes to the next "law"; "two sticks" and "assist" go on and off."""
-        if what == "assist":
-            self.assist = turns(self._parameters) and not self.assist
+        """Changes to the next "law" or "figure"; all else goes on and off."""
+        if what == "autopilot":
+            self.hand_over.change(self._asked())
+        elif what == "figure":
+            self.hand_over.next_figure()
+        elif what == "assist":
+            flew = bool(self.hand_over.flown)  # who wants help does not want to be flown
+            self.hand_over.take_back()
+            self.assist = turns(self._parameters) and (flew or not self.assist)
             said = ASSIST if self.assist else "the assist is off: the stick moves the lines"
             self.notices.say(said if turns(self._parameters) else NO_ASSIST)
         elif what == "law":
@@ -119,7 +128,12 @@ class PersonStick:
             self.notices.say(said)
 
     def command(self, motion: Motion) -> Command:
-        """The command of keys, mouse or pad now."""
+        """The command of keys, mouse or pad now; who pushes takes back from the autopilot."""
+        stick = self._asked()
+        self.hand_over.watch(stick)
+        return stick
+
+    def _asked(self) -> Command:
         at = self._mouse or 0.0
         mouse = Deflections(at, 0.0, -at, at)
         ways = zip(self._keys.hands(), mouse, self._pads.hands(), strict=True)

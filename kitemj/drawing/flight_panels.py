@@ -1,6 +1,6 @@
 """The engineer's panels of numbers: the flight, the angles of the air, the model, the arrows."""
 
-from math import degrees
+from math import degrees, isfinite
 
 from kitemj.drawing.colours import CALL, DIM, GOOD, LEFT, RIGHT, TROUGH, WHITE
 from kitemj.drawing.panel import EDGE, LARGE, NAME, NUMBER, Panel
@@ -20,7 +20,8 @@ def paint_flight(
 ) -> None:
     """Paints when and where the kite is, and how fast; how fast time runs, and the assist."""
     azimuth, elevation = bearing(parameters, motion.body.p_G_E)
-    told = f"{'ASSIST' if readings.assist else 'time'} ×{readings.speed:.3g}"
+    who = "AUTO" if readings.wished else "ASSIST" if readings.assist else "time"
+    told = f"{who} ×{readings.speed:.3g}"
     panel.row(told, f"{motion.t:.1f} s", 26, LARGE)
     rows = (
         ("elevation", f"{elevation:.1f}°"),
@@ -72,6 +73,18 @@ def paint_model(panel: Panel, parameters: Parameters, readings: Readings, alarm:
         grave, row = beyond and name == most, 22 + 28 * i
         size, colour = (LARGE, CALL) if grave else (NAME + 1, WHITE)
         panel.row(name, value, row, size, colour, WHITE if alarm == NOW else DIM)
+
+
+def window_title(readings: Readings) -> str:
+    """What stands over the wind window: what it is, or how an autopilot follows its path."""
+    guided = readings.wished and readings.wished.guided
+    if not guided:
+        return "wind window, rim 90°"
+    told: str = guided.phase
+    if isfinite(guided.error):
+        side = "right" if guided.error > 0 else "left"
+        told += f", {abs(degrees(guided.error)):.1f}° {side}"
+    return f"{told}, lap {guided.lap:.1f}" if isfinite(guided.lap) else told
 
 
 def paint_arrows(panel: Panel, parameters: Parameters) -> None:

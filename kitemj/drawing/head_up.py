@@ -51,7 +51,8 @@ def paint_head_up(
     panel.text(f"{minutes}:{seconds:02}", WIDTH - 16, 30, NAME + 2, WHITE, 1)
     x, y = panel.at(WIDTH / 2 - SMALLER * FOOT[0], FLOOR - SMALLER * FOOT[1])
     small = Panel(panel.surface, (x, y, 0, 0), SMALLER * panel.unit)
-    window.paint(small, motion, readings.traces.trail if readings.traces else NO_TRAIL)
+    trail = readings.traces.trail if readings.traces else NO_TRAIL
+    window.paint(small, motion, trail, readings.wished)
     for side, line, colour in ((0, motion.lines[0], LEFT), (1, motion.lines[1], RIGHT)):
         _pull(panel, limits, scale, line, side, colour)
 
@@ -92,6 +93,9 @@ def _pull(
 def chips(readings: Readings) -> list[str]:
     """Words that stand above the plate while they are true."""
     found = ["ASSIST"] if readings.assist else []
+    if readings.wished:
+        guided = readings.wished.guided
+        found.append(f"AUTOPILOT: {guided.phase}" if guided else "AUTOPILOT")
     if readings.speed == 0.0:
         found.append("PAUSED")
     elif readings.speed != 1.0:

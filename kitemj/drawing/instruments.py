@@ -11,7 +11,13 @@ from kitemj.controls.actions import PANELS
 from kitemj.drawing import head_up, strip_chart, wind_window
 from kitemj.drawing.alarms import Alarm, alarm_at, loudness
 from kitemj.drawing.colours import WHITE
-from kitemj.drawing.flight_panels import paint_air, paint_arrows, paint_flight, paint_model
+from kitemj.drawing.flight_panels import (
+    paint_air,
+    paint_arrows,
+    paint_flight,
+    paint_model,
+    window_title,
+)
 from kitemj.drawing.head_up import paint_chips, paint_head_up
 from kitemj.drawing.knob import paint_knob
 from kitemj.drawing.lesson_panel import beside, paint_lesson, paint_touch
@@ -181,8 +187,9 @@ class Instruments:
     def _paint_window(self, panel: Panel, motion: Motion, readings: Readings) -> None:
         """Paints the wind window with its title, its sides and what its rim is."""
         below = Panel(panel.surface, (*panel.at(0, WINDOW_TOP), COLUMN, 0), panel.unit)
-        self._window.paint(below, motion, readings.traces.trail if readings.traces else NO_TRAIL)
-        panel.text("wind window, rim 90°", 14, 20)
+        trail = readings.traces.trail if readings.traces else NO_TRAIL
+        self._window.paint(below, motion, trail, readings.wished)
+        panel.text(window_title(readings), 14, 20)
         foot = WINDOW_TOP + wind_window.FOOT[1] + 20
         panel.text("L left", 14, foot, NAME, WHITE)
         panel.text("right R", panel.width - 14, foot, NAME, WHITE, 1)

@@ -14,9 +14,11 @@ from kitemj.drawing.history import TRAIL_STEP, Traces
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.plates import paint_plate
 from kitemj.drawing.readings import Readings
+from kitemj.drawing.sky_path import paint_sky_path
 from kitemj.drawing.tensions import scale_of
 from kitemj.drawing.text import put, width
 from kitemj.drawing.trail import BRIGHT, paint_trail, pull_colours, seen
+from kitemj.drawing.wished import Wished
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.physics.parameters import Parameters
@@ -142,6 +144,8 @@ class Picture(Closing):
         """Paints trail, instruments, labels and help into the frame itself."""
         assert self._camera is not None
         surface = pygame.image.frombuffer(frame.data, (self.width, self.height), "RGB")
+        if readings.wished:
+            self._wish(surface, readings.wished, motion)
         if readings.traces and ("trail" in shown or self.depth == "pilot"):
             self._trails(surface, readings.traces, motion)
         if self._inset_camera:
@@ -154,6 +158,15 @@ class Picture(Closing):
         self._instruments.paint(surface, motion, readings, self.depth, shown | arrows)
         if "labels" in shown:
             self._labels(surface, motion, view)
+
+    def _wish(self, surface: pygame.Surface, wished: Wished, motion: Motion) -> None:
+        """Paints the path that is wished for in the main view, not in the small one."""
+        assert self._camera is not None
+        inset = self._instruments.box("inset")
+        kept = surface.subsurface(inset).copy() if self._inset_camera else None
+        paint_sky_path(surface, self._camera, self.parameters, wished, motion, self._instruments.u)
+        if kept:
+            surface.blit(kept, inset)
 
     def _trails(self, surface: pygame.Surface, traces: Traces, motion: Motion) -> None:
         """Paints the trail in both views, up to the kite's tail; a pilot's is short and faint."""

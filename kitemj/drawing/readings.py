@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from kitemj.drawing.history import Traces
+from kitemj.drawing.wished import Wished
 from kitemj.physics.shaping import StickLaw
 from kitemj.pilots.course import LessonStatus
 from kitemj.pilots.crash import Touch
@@ -24,4 +25,5 @@ class Readings(NamedTuple):
     traces: Traces | None = None  # what a History remembers
     lesson: LessonStatus | None = None
     touch: Touch | None = None  # how the kite met the ground
+    wished: Wished | None = None  # what the autopilot flies, where it does
     help: tuple[str, ...] = ()  # lines over everything; a tab parts a key from what it does

@@ -15,7 +15,10 @@ from numpy.typing import NDArray
 from kitemj.drawing.colours import CALL, LEFT, RIGHT, WHITE, Colour
 from kitemj.drawing.panel import Panel
 from kitemj.drawing.plates import paint_smoothly, smooth
+from kitemj.drawing.sky_path import PATH, paint_mark
+from kitemj.drawing.smooth import smooth_lines
 from kitemj.drawing.trail import paint_trail
+from kitemj.drawing.wished import Wished, in_E
 from kitemj.dynamics.motion import Motion
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, cross, dot, minus, norm, plus, times
@@ -52,10 +55,18 @@ class WindWindow:
         share = RADIUS * away / np.maximum(np.hypot(left, up), 1e-12)
         return np.stack([FOOT[0] - share * left, FOOT[1] - share * up], axis=1)
 
-    def paint(self, panel: Panel, motion: Motion, trail: NDArray[np.float64]) -> None:
-        """Paints outline, kite and `trail` (n, 3) [m, E], oldest first; no words."""
+    def paint(
+        self,
+        panel: Panel,
+        motion: Motion,
+        trail: NDArray[np.float64],
+        wished: Wished | None = None,
+    ) -> None:
+        """Paints outline, `wished` path, kite and `trail` (n, 3) [m, E], oldest first; no words."""
         box, top = panel.rect(0, 0, WIDTH, HEIGHT), FOOT[1] - RADIUS - OUTSIDE
         panel.surface.blit(_net(box.size, panel.unit), box)
+        if wished:
+            self._paint_wished(panel, wished, panel.rect(0, top, WIDTH, FOOT[1] - top))
         if len(trail):
             trail = trail[::-3][::-1]  # enough for a small picture
             places = np.array([panel.x, panel.y]) + panel.unit * self.places(trail)
@@ -63,6 +74,18 @@ class WindWindow:
             inside = panel.rect(0, top, WIDTH, FOOT[1] - top)
             paint_trail(panel.surface, places, usable, inside, 3 * panel.unit, bright=0.8)
         self._paint_kite(panel, motion)
+
+    def _paint_wished(self, panel: Panel, wished: Wished, inside: pygame.Rect) -> None:
+        """Paints the path as a thin line, and the attractor on it."""
+        opacity, corner = wished.opacity, np.array([panel.x, panel.y])
+        if wished.path is not None:
+            around = np.concatenate([wished.path[::4], wished.path[:1]])
+            places = corner + panel.unit * self.places(in_E(self._wind, around))
+            colours = np.tile((*PATH, opacity), (len(places) - 1, 1))
+            smooth_lines(panel.surface, places, colours, 1.6 * panel.unit, inside)
+        if wished.attractor is not None:
+            (place,) = corner + panel.unit * self.places(in_E(self._wind, wished.attractor))
+            paint_mark(panel.surface, place, 3.5 * panel.unit, inside)
 
     def _paint_kite(self, panel: Panel, motion: Motion) -> None:
         """Paints an arrowhead that flies nose first, its wings in the colours of the kite's."""

@@ -37,7 +37,8 @@ class Comparison(NamedTuple):
     `until` [s]: the last row before a line of either goes slack (unless `lines.rigid`) or a kite
     touches the ground, or the end: rigid lines and real ones part there. `valid` [s]: the first
     departure from any limit of validity, up to which agreement is claimed. `moved` [m]: how far
-    from its start the reference got until then.
+    from its start the reference got until then. `phases`: whether the autopilots of both were in
+    the same phase at every row; None: none flew.
     """
 
     scenario: str
@@ -46,6 +47,7 @@ class Comparison(NamedTuple):
     until: float
     valid: float
     moved: float
+    phases: bool | None
     position: Gap
     attitude: Gap
     tension: Gap
@@ -58,6 +60,7 @@ class Comparison(NamedTuple):
             and self.position.value <= POSITION_TOLERANCE
             and self.attitude.value <= ATTITUDE_TOLERANCE
             and self.tension.value <= TENSION_TOLERANCE
+            and self.phases is not False
         )
 
     @property
@@ -65,6 +68,8 @@ class Comparison(NamedTuple):
         """`agrees` in words; a kite that never moved shows nothing of how it moves."""
         if self.until == 0.0:
             return "nothing compared"
+        if self.phases is False:
+            return "NO: other phases"
         if not self.agrees:
             return "NO"
         return "at rest" if self.moved <= STILL else "yes"
@@ -117,18 +122,32 @@ def compare(flight: Simulation, reference: Simulation) -> Comparison:
         end,
         min([end, *departures]),
         max(position_gap(b, pairs[0][1]) for _, b in pairs),
+        _same_phases(flight, reference, len(pairs)),
         largest(position_gap),
         largest(attitude_gap),
         largest(tension_gap),
     )
 
 
-def compare_models(scenario: Scenario, models: Sequence[str], step: float) -> list[Comparison]:
+def _same_phases(flight: Simulation, reference: Simulation, rows: int) -> bool | None:
+    if not (flight.guided and reference.guided):
+        return None
+    told = [[each and each.phase for each in one.guided[:rows]] for one in (flight, reference)]
+    return told[0] == told[1]
+
+
+Fly = Callable[[Scenario, str, float], Simulation]
+"""Flies a scenario by a model in steps [s]."""
+
+
+def compare_models(
+    scenario: Scenario, models: Sequence[str], step: float, fly: Fly = simulate
+) -> list[Comparison]:
     """Each of `models` against the last of them, which is the reference.
 
-    A scenario that names no steering programme is flown with restless hands.
+    A scenario that names neither a steering programme nor a pilot is flown with restless hands.
     """
-    scenario = scenario if scenario.steered else restless(scenario)
+    scenario = scenario if scenario.steered or scenario.pilot else restless(scenario)
     shown = with_progress(f"flying {scenario.source}", models, len(models))
-    flights = [simulate(scenario, model, step) for model in shown]
+    flights = [fly(scenario, model, step) for model in shown]
     return [compare(flight, flights[-1]) for flight in flights[:-1]]

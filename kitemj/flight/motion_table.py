@@ -6,6 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from kitemj.dynamics.motion import Motion
+from kitemj.flight.guided_table import NUMBERS, PHASE, guided_numbers, phase_code
+from kitemj.flight.pilot_settings import PHASES
 from kitemj.flight.scenario import Scenario
 from kitemj.flight.simulate import Simulation
 from kitemj.metadata import new_csv
@@ -35,14 +37,20 @@ def write_csv(path: Path, flight: Simulation, overwrite: bool = False) -> None:
         part.open("w", newline="", encoding="utf-8") as file,
     ):
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns_of(rig_of(flight.scenario.parameters)))
-        writer.writerows(row(motion) for motion in flight.motions)
+        names, rows = columns_of(rig_of(flight.scenario.parameters)), map(row, flight.motions)
+        if flight.guided:
+            names = (*names, PHASE, *NUMBERS)
+            told = ([phase_code(each), *guided_numbers(each)] for each in flight.guided)
+            rows = map(list.__add__, rows, told)
+        writer.writerow(names)
+        writer.writerows(rows)
 
 
 def about_flight(scenario: Scenario, model: str = "") -> dict[str, Any]:
     """What a table says of the flights in it: from which scenario, with which kite and wind."""
     parameters = parameter_tables(scenario.parameters)
-    about = {"scenario": scenario.source, "model": model, "parameters": parameters}
+    phases = list(PHASES) if scenario.pilot else []
+    about = {"scenario": scenario.source, "model": model, "parameters": parameters, PHASE: phases}
     return {name: what for name, what in about.items() if what}
 
 

@@ -13,6 +13,7 @@ from kitemj.data_files import SCENARIOS, shipped_or_file
 from kitemj.dynamics.motion import State
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import equilibrium_state
+from kitemj.flight.pilot_settings import PilotSettings
 from kitemj.physics.checked import checked, in_radians, unknown_key
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import SECTIONS, parameter_set, read_toml, set_names
@@ -60,7 +61,8 @@ class SteeringTable(NamedTuple):
 class Scenario:
     """All that a flight needs; `source` is what messages call it.
 
-    `steered`: whether a programme was named; if not, the lines rest.
+    `steered`: whether a programme was named; if not, the lines rest. `pilot`: who flies, where
+    the scenario has [pilot].
     """
 
     source: str
@@ -69,6 +71,7 @@ class Scenario:
     start: State
     times: Times
     steered: bool = True
+    pilot: PilotSettings | None = None
 
     @property
     def output_times(self) -> list[float]:
@@ -109,7 +112,7 @@ def as_scenario(given: Scenario | str | Path | Mapping[str, Any]) -> Scenario:
 
 def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
     """The scenario of tables as a TOML file has them; `source` names them in messages."""
-    known = ["set", *Times._fields, "aero", *SECTIONS, "steering", "start"]
+    known = ["set", *Times._fields, "aero", *SECTIONS, "steering", "start", "pilot"]
     for key in tables:
         if key not in known:
             raise unknown_key(key, known, "", source)
@@ -128,7 +131,18 @@ def scenario_of(tables: Mapping[str, Any], source: str) -> Scenario:
     steered = "programme" in steering
     programme = _programme(steering, parameters, times, source)
     start = _start(_section(tables, "start", source), parameters, source)
-    return Scenario(source, parameters, programme, start, times, steered)
+    pilot = _pilot(tables, steered, source)
+    return Scenario(source, parameters, programme, start, times, steered, pilot)
+
+
+def _pilot(tables: Mapping[str, Any], steered: bool, source: str) -> PilotSettings | None:
+    if "pilot" not in tables:
+        return None
+    if steered:
+        raise InputError(
+            f"[pilot] and [steering] both want the stick: leave one of them out ({source})"
+        )
+    return checked(PilotSettings, _section(tables, "pilot", source), "pilot", source)
 
 
 def check_rows(times: Times, asked: str, source: str) -> None:

@@ -8,6 +8,7 @@ from kitemj.dynamics.formulation import DEFAULT_STEP, make_model
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.limits import Departure, Ending, first_departure, touches_ground
+from kitemj.flight.pilot_settings import Guided
 from kitemj.flight.scenario import Scenario
 from kitemj.physics.frames import Angles
 
@@ -17,7 +18,10 @@ MOST_STEPS = 1e9
 
 @dataclass(frozen=True)
 class Simulation:
-    """What came of it: the motions, how it ended, where it first left the limits of validity."""
+    """What came of it: the motions, how it ended, where it first left the limits of validity.
+
+    `guided`: what an autopilot told at each motion, where one flew.
+    """
 
     model: str
     scenario: Scenario
@@ -25,6 +29,7 @@ class Simulation:
     ending: Ending
     departure: Departure | None
     note: str = ""
+    guided: tuple[Guided | None, ...] = ()
 
 
 def simulate(scenario: Scenario, model: str = "mujoco", step: float = DEFAULT_STEP) -> Simulation:

@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
+from kitemj.flight.guided_table import guided_columns
 from kitemj.flight.limits import RECORDED, Departure, Ending, Numbers, departure_in, touches_ground
 from kitemj.flight.motion_table import COLUMNS
+from kitemj.flight.pilot_settings import Guided
 from kitemj.flight.simulate import Simulation
 from kitemj.physics.checked import unknown_key
 from kitemj.physics.parameters import Parameters
@@ -35,7 +37,8 @@ class Flight(Tabled):
 
     `name` is what titles call the flight. Not all columns of a recording must be there.
     `model`, `motions` (one a row) and `ending` are those of a flight that was simulated just
-    now, else "", empty and None; `notes` are sentences on what is to be known of it.
+    now, else "", empty and None; `guided`: what an autopilot told at each of them, if one flew;
+    `notes` are sentences on what is to be known of it.
     """
 
     name: str
@@ -45,6 +48,7 @@ class Flight(Tabled):
     model: str = ""
     motions: Sequence[Motion] = ()
     ending: Ending | None = None
+    guided: Sequence[Guided | None] = ()
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         """The column called `name`; InputError, with the names there are, for another."""
@@ -173,7 +177,10 @@ def flight_of_simulation(simulation: Simulation) -> Flight:
     flight = flight_of_motions(name, simulation.scenario.parameters, simulation.motions)
     notes = (simulation.note,) if simulation.note else ()
     told = simulation.model, simulation.motions, simulation.ending
-    return Flight(name, flight.parameters, flight.columns, notes, *told)
+    columns = dict(flight.columns)
+    if simulation.guided:
+        columns |= guided_columns(simulation.guided)
+    return Flight(name, flight.parameters, columns, notes, *told, guided=simulation.guided)
 
 
 def flight_of_recording(recording: Recording, episode: int = 0) -> Flight:

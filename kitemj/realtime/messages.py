@@ -4,6 +4,8 @@ from enum import Enum
 from typing import NamedTuple
 
 from kitemj.flight.live import Command, TickResult
+from kitemj.flight.pilot_settings import Guided
+from kitemj.physics.compiled import Array
 from kitemj.pilots.crash import Touch
 
 FRAME = 1 / 30
@@ -26,6 +28,12 @@ class Assisted(NamedTuple):
     on: bool
 
 
+class Piloted(NamedTuple):
+    """What the autopilot flies, by the name of an `Offer`; empty: it does not."""
+
+    flown: str
+
+
 class Deed(Enum):
     """What is done once, before the next tick; `STEP` is a tick while paused."""
 
@@ -42,7 +50,7 @@ class Stop(NamedTuple):
     ending: str
 
 
-Wish = Begin | Rate | Assisted | Deed | Command | Stop
+Wish = Begin | Rate | Assisted | Piloted | Deed | Command | Stop
 
 
 class Timekeeping(NamedTuple):
@@ -69,17 +77,29 @@ class Timekeeping(NamedTuple):
         return Timekeeping(self.ticks + 1, missed, late, lateness, *largest, self.lost + lost)
 
 
+class Offer(NamedTuple):
+    """What the autopilot could fly: the `path` (n, 3) in the axes of `kitemj.autopilot.sphere`.
+
+    None: it leads along no path. `fault`: why it cannot be flown; empty: it can.
+    """
+
+    path: Array | None = None
+    fault: str = ""
+
+
 class Ready(NamedTuple):
-    """The flight stands at its start."""
+    """The flight stands at its start; `offers`: what the autopilot could fly, by name."""
 
     result: TickResult
+    offers: dict[str, Offer]
 
 
 class TickNews(NamedTuple):
     """Of one tick: `begun` and `done` [s] on the clock that all processes share.
 
     `touch`: how the kite met the ground, where it waits now; `problem`: what the person should
-    know of the disk; `memory` [MB]: the most that the process has had so far.
+    know of the disk; `memory` [MB]: the most that the process has had so far; `guided`: what the
+    autopilot tells of itself where it flew the tick.
     """
 
     begun: float
@@ -91,6 +111,7 @@ class TickNews(NamedTuple):
     touch: Touch | None
     problem: str
     memory: float
+    guided: Guided | None = None
 
 
 class Alive(NamedTuple):

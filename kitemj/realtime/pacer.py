@@ -4,10 +4,11 @@ import gc
 import os
 import sys
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from math import nan
 
+from kitemj.autopilot.autopilot import Autopilot
 from kitemj.flight.live import TICK, Command, Saved
 from kitemj.pilots.assist import Assist
 from kitemj.pilots.crash import FirstTouch
@@ -15,6 +16,7 @@ from kitemj.realtime.memory import peak_memory
 from kitemj.realtime.messages import (
     Assisted,
     Deed,
+    Piloted,
     Rate,
     Stop,
     TickNews,
@@ -39,12 +41,15 @@ class Pacer:
         flight: LiveFlight,
         wishes: Callable[[], Iterable[Wish]],
         tell: Callable[[TickNews], None],
+        autopilots: Mapping[str, Autopilot] | None = None,
     ) -> None:
         """`flight` at its start; `wishes` returns those since it was last asked, before each
-        tick; `tell` is told of the start and of each tick."""
+        tick; `tell` is told of the start and of each tick; `autopilots` by what they fly."""
         self._flight, self._wishes, self._tell = flight, wishes, tell
         self._command, self._rate, self._start = Command(), 1.0, flight.episode.start
         self._assist, self._assisted = Assist(), False
+        self._autopilots = autopilots or {}
+        self._autopilot: Autopilot | None = None
         self._times, self._rewind = Timekeeping(), RewindHistory()
         self._ground, self._begun = FirstTouch(flight.parameters), 0.0
         self._ending: str | None = None
@@ -89,12 +94,15 @@ class Pacer:
             self._see(self._command)
 
     def _tick(self, due: float) -> None:
-        """A tick by the stick as it is now, or by what the assist makes of it."""
-        stick, hand = self._command, nan
-        if self._assisted:
+        """A tick by the stick as it is now, what the assist makes of it, or the autopilot."""
+        stick, hand, autopilot = self._command, nan, self._autopilot
+        if autopilot:
+            stick = autopilot.command(self._flight.result.motion)
+        elif self._assisted:
             self._assist.hand = hand = stick.delta
             stick = self._assist.command(self._flight.result.motion)._replace(ell=stick.ell)
         self._flight.hand = hand
+        self._flight.guided = autopilot.guided if autopilot else None
         self._flight.tick(stick, due)
 
     def _obey(self) -> None:
@@ -106,6 +114,9 @@ class Pacer:
                 self._rate = wish.rate
             elif isinstance(wish, Assisted):
                 self._assisted = wish.on
+            elif isinstance(wish, Piloted):
+                self._autopilot = self._autopilots.get(wish.flown)
+                self._begin_anew()
             elif isinstance(wish, Deed):
                 self._do(wish)
             elif isinstance(wish, Stop):
@@ -118,6 +129,7 @@ class Pacer:
             self._rewind.forget()
             self._flight.restart(self._start)
             self._ground = FirstTouch(self._flight.parameters)
+            self._begin_anew()
             self._see(Command())
         elif deed is Deed.STEP and not self._rate and not self._ground.touch:
             self._tick(time.perf_counter())
@@ -133,7 +145,13 @@ class Pacer:
         if saved:
             self._flight.resume(saved)
             self._ground = FirstTouch(self._flight.parameters)
+            self._begin_anew()
             self._report(Command())
+
+    def _begin_anew(self) -> None:
+        """The autopilot begins with the motion as it is: what it remembers is of another."""
+        if self._autopilot:
+            self._autopilot.restart(self._flight.result.motion.t)
 
     def _see(self, command: Command) -> None:
         """What comes of a start or a tick."""
@@ -143,7 +161,8 @@ class Pacer:
     def _report(self, command: Command) -> None:
         flight, touch = self._flight, self._ground.watch(self._flight.result.motion)
         now = command, flight.result, flight.lateness, self._times, touch, flight.problem
-        self._tell(TickNews(self._begun, time.perf_counter(), *now, peak_memory()))
+        news = TickNews(self._begun, time.perf_counter(), *now, peak_memory(), flight.guided)
+        self._tell(news)
 
 
 def go_first() -> None:

@@ -10,6 +10,7 @@ from contextlib import suppress
 from kitemj.child import GRACE, Child
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.live import Command, TickResult
+from kitemj.flight.pilot_settings import Guided
 from kitemj.pilots.crash import Touch
 from kitemj.realtime.launch import launch
 from kitemj.realtime.messages import (
@@ -17,6 +18,7 @@ from kitemj.realtime.messages import (
     Deed,
     End,
     News,
+    Offer,
     Ready,
     Stop,
     TickNews,
@@ -36,11 +38,11 @@ SILENCE = 5.0
 class FlightProcess:
     """The flight of `setup`; launched at once, so that it loads meanwhile.
 
-    `update` brings `result`, `times`, `touch`, `problem` and `memory` up to date (they are as in
-    `TickNews`); `command` is the last that was asked for, `started` whether time ever began,
-    `record` where it is recorded, if it is, `recording` what became of that, and `cut` whether the
-    disk did not take all of it. What is raised there is raised here: InputError, FlightError; and
-    so is its silence.
+    `update` brings `result`, `times`, `touch`, `problem`, `memory` and `guided` up to date (they
+    are as in `TickNews`); `offers` is as in `Ready`; `command` is the last that was asked for,
+    `started` whether time ever began, `record` where it is recorded, if it is, `recording` what
+    became of that, and `cut` whether the disk did not take all of it. What is raised there is
+    raised here: InputError, FlightError; and so is its silence.
     """
 
     def __init__(self, setup: FlightSetup, launched: Child | None = None) -> None:
@@ -49,6 +51,8 @@ class FlightProcess:
         self.times = Timekeeping()
         self.touch: Touch | None = None
         self.problem, self.memory = "", 0.0
+        self.guided: Guided | None = None
+        self.offers: dict[str, Offer] = {}
         self.result: TickResult
         self.recording, self.cut, self.started = "none", False, False
         self._ready, self._ended = False, False
@@ -131,9 +135,9 @@ class FlightProcess:
             if news.error:
                 raise FlightError(self.model, self._t, news.error, [])
         elif isinstance(news, Ready):
-            self._ready, self.result = True, news.result
+            self._ready, self.result, self.offers = True, news.result, news.offers
         elif isinstance(news, TickNews):
             self._heard.append(news)
             self._t = news.result.motion.t
             self.result, self.times, self.touch = news.result, news.times, news.touch
-            self.problem, self.memory = news.problem, news.memory
+            self.problem, self.memory, self.guided = news.problem, news.memory, news.guided

@@ -6,6 +6,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from kitemj.errors import InputError
+from kitemj.realtime.autopilots import autopilots
 from kitemj.realtime.messages import Begin, End, Ready, Stop, Wish
 from kitemj.realtime.outbox import Outbox
 from kitemj.realtime.pacer import Pacer, go_first
@@ -31,13 +32,14 @@ def fly(link: Connection) -> None:
 def _flown(setup: FlightSetup, link: Connection, told: Outbox) -> End:
     first = setup._replace(record=None).flight()
     first.warm_up()
+    pilots, offers = autopilots(first)
     go_first()  # and with it all threads that begin from here on
-    told.put(Ready(first.restart(setup.start)))
+    told.put(Ready(first.restart(setup.start), offers))
     if not isinstance(_received(link), Begin):
         return End("none")
     flight = setup.flight()
     try:
-        ending, error = Pacer(flight, partial(_wishes, link), told.put).run(setup.past), ""
+        ending, error = Pacer(flight, partial(_wishes, link), told.put, pilots).run(setup.past), ""
     except Exception as reason:  # whoever paints is told
         ending = error = str(getattr(reason, "reason", reason))
     return End(flight.close(ending), error, cut=flight.cut)

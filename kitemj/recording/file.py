@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 
 from kitemj.errors import InputError
 from kitemj.flight.limits import RECORDED, Departure, departure_in
+from kitemj.flight.pilot_settings import PilotSettings
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import rig_of
 from kitemj.recording.checksum import sound_part
 from kitemj.recording.header import Header, from_json
+from kitemj.recording.pilot import pilot_from_json
 from kitemj.recording.recorder import ENDING_KEY, SUFFIX
-from kitemj.recording.schema import HEADER_KEY, checked_columns
+from kitemj.recording.schema import HEADER_KEY, PILOT_KEY, checked_columns
 from kitemj.recording.table import Columns, limit_numbers
 from kitemj.tables import Cell, Table, Tabled
 
@@ -26,7 +28,8 @@ Batch = tuple[pa.RecordBatch, dict[bytes, bytes] | None]
 class Recording(Tabled):
     """Header, parameters and columns (each of shape (rows,)) of the file `path`.
 
-    `ending` is how the flight ended, "" where the file breaks off before it says so.
+    `ending` is how the flight ended, "" where the file breaks off before it says so. `pilot`: the
+    settings of the autopilot of its scenario, if it had one.
     """
 
     path: Path
@@ -34,6 +37,7 @@ class Recording(Tabled):
     parameters: Parameters
     columns: Columns
     ending: str
+    pilot: PilotSettings | None = None
 
     def __len__(self) -> int:
         """Number of rows."""
@@ -91,7 +95,7 @@ def read_recording(path: str | Path) -> Recording:
     path = Path(path)
     data = _bytes(path)
     sound = sound_part(data)
-    about, batches = _batches(path, pa.py_buffer(data).slice(0, sound.size))
+    about, said_pilot, batches = _batches(path, pa.py_buffer(data).slice(0, sound.size))
     if sound.damaged:
         raise _damaged(path, sound.size, batches)
     header = from_json(about, path.name)
@@ -102,7 +106,8 @@ def read_recording(path: str | Path) -> Recording:
     columns = checked_columns(whole, header, rig_of(parameters), path.name)
     endings = [said[ENDING_KEY] for _, said in batches if said and ENDING_KEY in said]
     ending = endings[-1].decode("utf-8", "replace") if endings else ""
-    return Recording(path, header, parameters, columns, ending)
+    pilot = pilot_from_json(said_pilot, path.name) if said_pilot else None
+    return Recording(path, header, parameters, columns, ending, pilot)
 
 
 def _damaged(path: Path, size: int, batches: list[Batch]) -> InputError:
@@ -134,12 +139,13 @@ def _bytes(path: Path) -> bytes:
     return data
 
 
-def _batches(path: Path, data: pa.Buffer) -> tuple[bytes, list[Batch]]:
-    """The header, and all whole batches with what each says of itself."""
+def _batches(path: Path, data: pa.Buffer) -> tuple[bytes, bytes, list[Batch]]:
+    """Header, autopilot ("" if none), and all whole batches with what each says of itself."""
     batches: list[Batch] = []
     try:
         stream = pa.ipc.open_stream(data)
-        about: bytes = (stream.schema.metadata or {})[HEADER_KEY]
+        metadata = stream.schema.metadata or {}
+        about: bytes = metadata[HEADER_KEY]
     except (pa.ArrowException, OSError, KeyError):
         raise InputError(
             f"{path} is not a recording of kitemj, or was cut off or damaged within its header"
@@ -149,5 +155,5 @@ def _batches(path: Path, data: pa.Buffer) -> tuple[bytes, list[Batch]]:
             batch, said = stream.read_next_batch_with_custom_metadata()
             batch.validate(full=True)
         except (StopIteration, pa.ArrowException, OSError):
-            return about, batches
+            return about, metadata.get(PILOT_KEY, b""), batches
         batches.append((batch, said))

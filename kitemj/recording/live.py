@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, Self
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.motion import State
 from kitemj.flight.live import Command, Saved, SteeredFlight, TickResult
+from kitemj.flight.pilot_settings import Guided
 from kitemj.flight.scenario import Scenario
 from kitemj.physics.steering import Segment
 from kitemj.recording.header import header_of
@@ -25,7 +26,8 @@ class LiveFlight(SteeredFlight):
     A context manager, which closes the recording. `result` is what is known now; `lateness` [s]
     is that of the last tick; `cut`, once it is closed, whether the disk did not take all of it.
     `hand` is for who lets an assist fly: what the person asks of it, -1..1, recorded with each
-    tick until it is set anew; not a number: the stick is the person's own.
+    tick until it is set anew; not a number: the stick is the person's own. `guided` is for who lets
+    an autopilot fly: what it tells of itself.
     """
 
     _recorder: Recorder | None = None
@@ -33,6 +35,7 @@ class LiveFlight(SteeredFlight):
     lateness = 0.0
     cut = False
     hand = nan
+    guided: Guided | None = None
 
     def __init__(
         self,
@@ -58,7 +61,8 @@ class LiveFlight(SteeredFlight):
         """
         super().__init__(scenario, model, reference, step, other_starts, start)
         if record:
-            self._recorder = Recorder(Path(record), header_of(self), self.parameters, overwrite)
+            known = header_of(self), self.parameters, overwrite, self.scenario.pilot
+            self._recorder = Recorder(Path(record), *known)
             self._add(Command())
 
     @property
@@ -68,13 +72,13 @@ class LiveFlight(SteeredFlight):
 
     def restart(self, start: int = 0) -> TickResult:
         """Back to that of the `starts`, lines still; returns the first moment of the flight."""
-        self.hand = nan
+        self.hand, self.guided = nan, None
         super().restart(start)
         return self._add(Command())
 
     def resume(self, saved: Saved) -> TickResult:
         """Back to a moment that `save` returned; begins an episode, which goes on from there."""
-        self.hand = nan
+        self.hand, self.guided = nan, None
         super().resume(saved)
         return self._add(Command())
 
@@ -117,7 +121,8 @@ class LiveFlight(SteeredFlight):
         self.lateness = 0.0 if self._due is None else time.perf_counter() - self._due
         self._due = None
         if self._recorder:
-            now = self.segment.control, command, self.result, self.lateness, self.hand
+            told = self.lateness, self.hand, self.guided
+            now = self.segment.control, command, self.result, *told
             self._recorder.add(Tick(self.episode, self.ticks, *now))
         return self.result
 

@@ -19,6 +19,7 @@ import pyarrow as pa
 from kitemj.errors import InputError
 from kitemj.files import check_new
 from kitemj.locks import locked
+from kitemj.flight.pilot_settings import PilotSettings
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import rig_of
 from kitemj.recording.checksum import ABOUT, sealed
@@ -48,11 +49,16 @@ class Recorder:
     """
 
     def __init__(
-        self, path: Path, header: Header, parameters: Parameters, overwrite: bool = False
+        self,
+        path: Path,
+        header: Header,
+        parameters: Parameters,
+        overwrite: bool = False,
+        pilot: PilotSettings | None = None,
     ) -> None:
         check_new(path, overwrite)
         self.path, self.problem, self.written = path, "", 0
-        self._parameters, self._schema = parameters, schema(header, rig_of(parameters))
+        self._parameters, self._schema = parameters, schema(header, rig_of(parameters), pilot)
         self._queue: deque[Tick] = deque()
         self._waiting: deque[tuple[int, bytes]] = deque()
         self._size, self._seal, self._given_up = 0, 0, False

@@ -10,6 +10,7 @@ from kitemj.dynamics.formulation import MODELS, make_model
 from kitemj.errors import FlightError
 from kitemj.physics.rig import rig_of
 from kitemj.physics.steering import Control, Segment
+from kitemj.recording.closed_loop import check_closed_loop, closed_flown
 from kitemj.recording.file import Recording
 from kitemj.recording.table import LIMITS, STEERING, Columns, motion_columns, motion_row
 
@@ -67,11 +68,18 @@ class Replay:
         return (float(gaps[row]), row) if gaps[row] >= 0.0 else None
 
 
-def replay(recording: Recording, model: str, step: float | None = None) -> Replay:
+def replay(
+    recording: Recording, model: str, step: float | None = None, closed_loop: bool = False
+) -> Replay:
     """Flies every episode; `step` [s] is that of the recording if left out.
 
-    Raises InputError for a model that is not known here, or a step that cannot be.
+    In a `closed_loop` the autopilot of the recording's scenario flies again, wherever it flew,
+    by what its sensors tell of `model`; whatever else moved the stick moves it as it did. Raises
+    InputError for a model that is not known here, a step that cannot be, and a closed loop of a
+    flight without such an autopilot.
     """
+    if closed_loop:
+        check_closed_loop(recording)
     if model == recording.header.model:
         recording.header.check(MODELS, model, recording.path.name)
     step = step or recording.header.step
@@ -80,7 +88,8 @@ def replay(recording: Recording, model: str, step: float | None = None) -> Repla
     notes = []
     for episode in recording.episodes:
         try:
-            for row, numbers in _flown(recording, episode, model, step):
+            flown = closed_flown if closed_loop else _flown
+            for row, numbers in flown(recording, episode, model, step):
                 columns[:, row] = numbers
         except FlightError as error:
             notes.append(str(error))

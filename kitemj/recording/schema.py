@@ -1,19 +1,26 @@
 """The columns that a recording must hold, and what must be true of them: checked on reading."""
 
+import json
+
 import numpy as np
 import pyarrow as pa
 
 from kitemj.errors import InputError
+from kitemj.flight.guided_table import NOBODY, NUMBERS, PHASE
+from kitemj.flight.pilot_settings import PHASES, PilotSettings
 from kitemj.physics.rig import Rig
 from kitemj.physics.shaping import StickLaw
+from kitemj.recording.pilot import pilot_json
 from kitemj.recording.header import Header, to_json
 from kitemj.recording.table import ATTITUDE, HAND, LIMITS, PLACE, REFERENCE, Columns, all_columns
 
 HEADER_KEY = b"kitemj"
 """Under which the header stands in the schema's metadata, as JSON."""
-SOMETIMES = (*REFERENCE, "gap_m", HAND)
-"""Columns that are not a number where there is no reference, or no assist."""
-LATER = (HAND,)
+PILOT_KEY, PHASES_KEY = b"kitemj pilot", b"pilot_phase"
+"""Likewise, where an autopilot flew by a scenario: its settings; what its phases are called."""
+SOMETIMES = (*REFERENCE, "gap_m", HAND, *NUMBERS)
+"""Columns that are not a number where there is no reference, no assist, or no autopilot."""
+LATER = (HAND, *NUMBERS, PHASE)
 """Columns that recordings of this format did not have at first: without them there was none."""
 BEYOND = 1e9
 """In any unit; a flight that comes near has diverged long before."""
@@ -21,13 +28,16 @@ ROUNDING = 1e-6
 """Of t_s [s], and of the products of the axes in R_BE, which models keep to 1e-9 or better."""
 
 
-def schema(header: Header, rig: Rig) -> pa.Schema:
-    """The columns and, in the metadata, the header as JSON."""
-    return pa.schema(_kinds(rig).items(), {HEADER_KEY: to_json(header)})
+def schema(header: Header, rig: Rig, pilot: PilotSettings | None = None) -> pa.Schema:
+    """The columns and, in the metadata, the header and the autopilot's settings as JSON."""
+    about = {HEADER_KEY: to_json(header)}
+    if pilot:
+        about |= {PILOT_KEY: pilot_json(pilot), PHASES_KEY: json.dumps(PHASES).encode()}
+    return pa.schema(_kinds(rig).items(), about)
 
 
 def _kinds(rig: Rig) -> dict[str, pa.DataType]:
-    kinds = dict.fromkeys(PLACE, pa.int32()) | dict.fromkeys(LIMITS, pa.bool_())
+    kinds = dict.fromkeys((*PLACE, PHASE), pa.int32()) | dict.fromkeys(LIMITS, pa.bool_())
     return {name: kinds.get(name, pa.float64()) for name in all_columns(rig)}
 
 
@@ -37,7 +47,8 @@ def checked_columns(table: pa.Table, header: Header, rig: Rig, source: str) -> C
     for name, kind in _kinds(rig).items():
         found = [field for field in table.schema if field.name == name]
         if not found and name in LATER:
-            columns[name] = np.full(len(table), np.nan)
+            nobody = np.full(len(table), NOBODY, np.int32)
+            columns[name] = nobody if name == PHASE else np.full(len(table), np.nan)
             continue
         if not found:
             raise InputError(f"{source} lacks the column {name}: another version wrote it")
@@ -108,10 +119,12 @@ def _check_motions(columns: Columns, header: Header, source: str) -> None:
     followed = reference.any(axis=0)
     with np.errstate(over="ignore"):
         late = np.abs(columns["t_s"] - header.tick * columns["tick"])
+    known = (columns[PHASE] >= NOBODY) & (columns[PHASE] < len(PHASES))
     laws = ", ".join(str(int(law)) for law in StickLaw)
     for right, what in (
         (late < ROUNDING, f"t_s is not that of its tick of {1e3 * header.tick:g} ms"),
         (~(np.abs(columns[HAND]) > 1.0), f"{HAND} is not in -1..1"),
+        (known, f"{PHASE} is none of {NOBODY} to {len(PHASES) - 1}"),
         (np.isin(columns["stick_law"], list(StickLaw)), f"stick_law is none of {laws}"),
         (_are_rotations(columns, ATTITUDE), "R_BE is no rotation"),
         (followed == reference.all(axis=0), "half a reference stands"),

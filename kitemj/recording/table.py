@@ -13,9 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kitemj.dynamics.motion import Motion
+from kitemj.flight.guided_table import NUMBERS, PHASE, guided_numbers, phase_code
 from kitemj.flight.limits import GROUND, RECORDED, Numbers
 from kitemj.flight.live import Command, Episode, TickResult
 from kitemj.flight.motion_table import columns_of, row
+from kitemj.flight.pilot_settings import Guided
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import TWO_LINES, Rig, rig_of
 from kitemj.physics.steering import Control
@@ -53,7 +55,7 @@ REFERENCE = ("ref_x_E_m", "ref_y_E_m", "ref_z_E_m", *(f"ref_{name}" for name in 
 HAND = "assist_hand"
 """What a person asked of the assist that moved the stick, -1..1; not a number where none did."""
 
-TICK_NUMBERS = (*STICK, *STEERING, *REFERENCE, "gap_m", "lateness_s", HAND)
+TICK_NUMBERS = (*STICK, *STEERING, *REFERENCE, "gap_m", "lateness_s", HAND, *NUMBERS)
 """Of one tick, beside its motion."""
 LIMITS = tuple(limit.name for limit in RECORDED)
 """Whether the instant is beyond this limit of validity; the order says which is told first."""
@@ -68,7 +70,7 @@ def motion_columns(rig: Rig) -> tuple[str, ...]:
 
 def all_columns(rig: Rig) -> tuple[str, ...]:
     """Of a whole recording."""
-    return (*motion_columns(rig), *PLACE, *TICK_NUMBERS, *LIMITS)
+    return (*motion_columns(rig), *PLACE, *TICK_NUMBERS, PHASE, *LIMITS)
 
 
 MOTION, ALL = motion_columns(TWO_LINES), all_columns(TWO_LINES)
@@ -78,6 +80,7 @@ class Tick(NamedTuple):
     """What one tick leaves behind; `control` is that of its segment, `lateness` in s.
 
     `hand`: what was asked of the assist whose `command` this is; not a number: there was none.
+    `guided`: what the autopilot told whose command it is; None: there was none.
     """
 
     episode: Episode
@@ -87,6 +90,7 @@ class Tick(NamedTuple):
     result: TickResult
     lateness: float
     hand: float = nan
+    guided: Guided | None = None
 
 
 def motion_row(motion: Motion) -> list[float]:
@@ -104,6 +108,7 @@ def table(parameters: Parameters, ticks: Sequence[Tick]) -> Columns:
     places = [(tick.episode.number, tick.tick, *tick.episode[1:]) for tick in ticks]
     whole = np.array(places, np.int32).reshape(len(rows), len(PLACE)).T.copy()
     columns |= dict(zip(PLACE, whole, strict=True))
+    columns[PHASE] = np.array([phase_code(tick.guided) for tick in ticks], np.int32)
     left = [tick.result.departure for tick in ticks]
     columns["ground"] = np.array([bool(each and each.limit is GROUND) for each in left], np.bool_)
     now = limit_numbers(columns)
@@ -128,4 +133,5 @@ def _numbers(tick: Tick) -> list[float]:
         where = (*p, *R.x, *R.y, *R.z)
     gap = nan if result.gap is None else result.gap
     steering = (*tick.command, *tick.control)
-    return [*motion_row(result.motion), *steering, *where, gap, tick.lateness, tick.hand]
+    now = gap, tick.lateness, tick.hand, *guided_numbers(tick.guided)
+    return [*motion_row(result.motion), *steering, *where, *now]

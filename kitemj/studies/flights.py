@@ -7,10 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from kitemj.autopilot.guided_flight import simulate_as_said
 from kitemj.dynamics.batch import ALPHA, BETA, CLEARANCE, TENSIONS, X, Z
 from kitemj.dynamics.formulation import make_model
-from kitemj.dynamics.ground import TOUCH
+from kitemj.dynamics.ground import TOUCH, clearance
 from kitemj.flight.limits import GROUND, SLACK, Ending, batch_numbers, departure_in
+from kitemj.flight.pilot_settings import Guided
 from kitemj.flight.scenario import Scenario, scenario_of
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameter_files import NAMED_BY
@@ -42,6 +44,8 @@ def result_columns(rig: Rig) -> dict[str, type]:
         **dict.fromkeys(("model", "ending", "reason", "departure"), str),
         **dict.fromkeys(("departure_t_s", "flown_s", *extremes, "clearance_min_m"), float),
         **dict.fromkeys(("gap_max_m", "gap_until_s", "cost_s"), float),
+        "pilot_phase": str,
+        **dict.fromkeys(("path_laps", "path_error_rms_deg", "path_error_max_deg"), float),
     }
 
 
@@ -69,11 +73,11 @@ def fly(base: Base, flight: int, point: Point) -> Row:
             _warm_up(tables, model, source)
         started = thread_time()
         scenario = scenario_of(tables, source)
-        rows = _batch_rows(scenario, settings.model, settings)
+        rows, guided = _rows(scenario, settings.model, settings)
         row["cost_s"] = thread_time() - started
-        row |= _summary(scenario, rows)
+        row |= _summary(scenario, rows) | _guided_summary(guided)
         if settings.reference:
-            row |= _gap(scenario, rows, _batch_rows(scenario, settings.reference, settings))
+            row |= _gap(scenario, rows, _rows(scenario, settings.reference, settings)[0])
     except Exception as error:
         said = str(error) if isinstance(error, ValueError | RuntimeError) else repr(error)
         row |= {"ending": FAILED, "reason": said}
@@ -96,6 +100,39 @@ def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:
     kite.start(scenario.start, scenario.programme)
     times = np.array(scenario.output_times)
     return kite.batch(scenario.programme, times, TOUCH, settings.tolerance)
+
+
+def _rows(
+    scenario: Scenario, model: str, settings: Settings
+) -> tuple[Array, Sequence[Guided | None]]:
+    """A row at each output time, and what an autopilot told there, if one flew."""
+    if scenario.pilot is None:
+        return _batch_rows(scenario, model, settings), ()
+    found = simulate_as_said(scenario, model, settings.step)
+    kite = scenario.parameters.kite
+    rows = [
+        [
+            *motion.body.p_G_E,
+            *motion.air[:2],
+            clearance(kite.chord, kite.span, *motion.body[:2]),
+            *motion.tensions,
+        ]
+        for motion in found.motions
+    ]
+    return np.array(rows), found.guided
+
+
+def _guided_summary(guided: Sequence[Guided | None]) -> Row:
+    """How the path was followed: laps, deg off it where it was flown, the last phase."""
+    told = [each for each in guided if each]
+    if not told:
+        return {}
+    errors = np.degrees([each.error for each in told if each.phase == "path"])
+    summary: Row = {"pilot_phase": told[-1].phase, "path_laps": told[-1].lap}
+    if len(errors):
+        summary["path_error_rms_deg"] = float(np.sqrt(np.mean(errors**2)))
+        summary["path_error_max_deg"] = float(np.abs(errors).max())
+    return summary
 
 
 def _warm_up(tables: dict[str, Any], model: str, source: str) -> None:

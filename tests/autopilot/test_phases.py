@@ -8,7 +8,8 @@ from typing import NamedTuple, get_args
 
 import pytest
 
-from kitemj.autopilot.autopilot import Autopilot
+from kitemj.autopilot.autopilot import Autopilot, SavedAutopilot
+from kitemj.autopilot.observer import SavedObserver
 from kitemj.autopilot.phases import PHASES
 from kitemj.dynamics.motion import Motion, State
 from kitemj.flight.equilibrium import equilibrium
@@ -140,7 +141,11 @@ def test_twist_is_undone(way: float) -> None:
     parameters = in_wind("sport", 6.5)
     flight = flight_of(parameters, top(parameters))
     pilot = Autopilot(parameters, PilotSettings(phases=("untwist", "hold")))
-    pilot.memory = pilot.memory._replace(twist=way * 2 * 2 * pi)
+    pilot.command(flight.result.motion)
+    memory, guided, (sensors, held) = pilot.save()
+    assert held
+    wound = SavedObserver(sensors, held._replace(twist=way * 2 * 2 * pi))
+    pilot.resume(SavedAutopilot(memory, guided, wound))
     seen = []
     for _ in range(round(40.0 / TICK)):
         seen.append(pilot.command(flight.result.motion))
