@@ -14,7 +14,7 @@ from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PathSettings, TurnRateLaw
 from kitemj.physics.parameters import Parameters
 
-COMFORT = 0.7
+COMFORT = 0.6
 """Of the hands' limits, what a path that is chosen for the kite asks for."""
 BRISK = 1.0
 """winds over the ground, at least, on such a path: slower kites fly it less exactly."""

@@ -46,7 +46,7 @@ TRIM = 0.1
 """Of the airspeed; so far from trim a kite is that follows a path, and so wrong is its pull."""
 OVERHEAD = 0.1
 """Cosine of the elevation; nearer to the zenith a measured heading says nothing."""
-PUSHES = 3.0
+PUSHES = 5.0
 """(m/s)/√s of velocity that the model does not know of."""
 TURNS, BIASES = 0.8, 1.5
 """(rad/s)/√s of turning, and of what the law does not know, per its square root of time."""
