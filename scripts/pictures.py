@@ -16,6 +16,7 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from kitemj.autopilot.autopilot import Autopilot
 from kitemj.cockpit.fly import fly
 from kitemj.cockpit.screens import FRAME_RATE, Screen
 from kitemj.commands.fly import LEARNT_ON
@@ -24,9 +25,11 @@ from kitemj.controls.stick import Stick, show_of
 from kitemj.drawing.history import History, Traces
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
+from kitemj.drawing.wished import Wished
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.live import TICK, Command, SteeredFlight
+from kitemj.flight.pilot_settings import PilotSettings
 from kitemj.flight.scenario import Scenario, read_scenario, scenario_of
 from kitemj.flight.simulate import simulate
 from kitemj.physics.parameter_files import read_toml
@@ -39,6 +42,7 @@ ROOT = Path(__file__).parent.parent
 SIZE, SMALL = (1280, 720), (960, 540)  # px
 LOOP, LOOP_AT = ROOT / "scenarios" / "loops_20m.toml", 5.4  # s
 SHOW_AT = 6.0  # s
+GUIDED_AT = 14.3  # s
 LIVE = 20.0  # s
 LESSON_AT = 1.2  # s
 HARDER = 1.2
@@ -55,10 +59,17 @@ class Past(NamedTuple):
     motions: Sequence[Motion]
     traces: Traces
 
-    def painted(self, size: tuple[int, int], view: str = VIEWS[0], depth: str = "pilot") -> Frame:
+    def painted(
+        self,
+        size: tuple[int, int],
+        view: str = VIEWS[0],
+        depth: str = "pilot",
+        wished: Wished | None = None,
+    ) -> Frame:
         """The last moment, from a view that has followed the flight."""
         now = self.motions[-1]
         readings = Readings(delta_command=now.control.delta, stick="programme", traces=self.traces)
+        readings = readings._replace(wished=wished)
         with Picture(self.scenario.parameters, *size, "film") as picture:
             picture.depth = depth
             look(picture, self.motions, view)
@@ -115,6 +126,18 @@ def views(folder: Path) -> None:
     loop = simulated(read_scenario(LOOP), lambda motion: motion.t > LOOP_AT - TICK / 2)
     for view in VIEWS:
         save(folder, f"view_{view}", loop.painted(SMALL, view))
+
+
+def autopilot(folder: Path) -> None:
+    """The usual eight of the kite `sport`, followed."""
+    scenario = scenario_of({"set": "sport", "duration": GUIDED_AT + 1.0}, "guided")
+    flight, pilot = SteeredFlight(scenario), Autopilot(scenario.parameters, PilotSettings())
+    motions = [flight.result.motion]
+    while motions[-1].t < GUIDED_AT - TICK / 2:
+        motions.append(flight.tick(pilot.command(motions[-1])).motion)
+    seen = past(scenario, motions)
+    wished = Wished(pilot.path.points, pilot.guided)
+    save(folder, "autopilot", seen.painted(SMALL, wished=wished))
 
 
 def alarm(folder: Path) -> None:
@@ -179,5 +202,5 @@ def engineer(folder: Path) -> None:
 
 if __name__ == "__main__":
     target = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs"
-    for make in (default_view, views, alarm, first_flight, engineer):
+    for make in (default_view, views, autopilot, alarm, first_flight, engineer):
         make(target)

@@ -4,6 +4,7 @@ from math import hypot, nan, pi
 from typing import NamedTuple
 
 from kitemj.autopilot.check_path import check_path, usual_path
+from kitemj.autopilot.design_margins import check_gain
 from kitemj.autopilot.follow import Estimate, stick_for
 from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.glide import glide_ratio
@@ -53,6 +54,7 @@ class Autopilot:
         self._parameters, self.settings = parameters, settings
         self.law = law or settings.law or identified_law(parameters)
         self.gains = Gains(settings.crossover)
+        check_gain(settings, self.gains, self.law)
         self.kite = kite_of(parameters, settings, self.law, self.gains)
         self.path = self.kite.path
         self._rehearsed = rehearsed(parameters, self.path, self.law, self.gains)

@@ -68,10 +68,11 @@ class HandOver:
         """Takes back where the person's stick was pushed."""
         if not self.flown:
             return
-        if not _pushed(stick):
-            self._held = Command()
-        elif _pushed(Command(stick.delta - self._held.delta, stick.ell - self._held.ell)):
+        further = map(_beyond, stick[:2], self._held[:2])
+        if _pushed(stick) and _pushed(Command(*further)):
             self.take_back()
+        nearest = (min(both, key=abs) for both in zip(stick[:2], self._held[:2], strict=True))
+        self._held = Command(*nearest)
 
     def _begin(self, stick: Command) -> None:
         if fault := self._offers.get(self._marked, "there is no autopilot here"):
@@ -79,6 +80,11 @@ class HandOver:
             return
         self.flown, self._held = self._marked, stick
         self._say(f"the autopilot flies {SAID[self.flown]}; push the stick to take back")
+
+
+def _beyond(now: float, held: float) -> float:
+    """How much further out a way of the stick is, or on the other side; 0: it is coming back."""
+    return abs(now) if now * held < 0.0 else max(abs(now) - abs(held), 0.0)
 
 
 def _pushed(stick: Command) -> bool:

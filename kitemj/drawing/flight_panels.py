@@ -82,9 +82,8 @@ def window_title(readings: Readings) -> str:
         return "wind window, rim 90°"
     told: str = guided.phase
     if isfinite(guided.error):
-        side = "right" if guided.error > 0 else "left"
-        told += f", {abs(degrees(guided.error)):.1f}° {side}"
-    return f"{told}, lap {guided.lap:.1f}" if isfinite(guided.lap) else told
+        told += f", {abs(degrees(guided.error)):.1f}° {'R' if guided.error > 0 else 'L'}"
+    return f"{told}, lap {guided.lap:.3g}" if isfinite(guided.lap) else told
 
 
 def paint_arrows(panel: Panel, parameters: Parameters) -> None:

@@ -17,7 +17,7 @@ from kitemj.scene.views import Camera, downwind, pixel
 
 PATH, SHADE = (150, 255, 205), (10, 40, 38)
 """The line, and what is below it: one of the two is seen against anything."""
-WIDTH, EDGE = 2.2, 2.4
+WIDTH, EDGE = 2.6, 2.4
 """units; of the line, and by how much the shade is wider."""
 DASH, GAP = 5, 3
 """pieces of a path of 240."""

@@ -85,7 +85,7 @@ class WindWindow:
             smooth_lines(panel.surface, places, colours, 1.6 * panel.unit, inside)
         if wished.attractor is not None:
             (place,) = corner + panel.unit * self.places(in_E(self._wind, wished.attractor))
-            paint_mark(panel.surface, place, 3.5 * panel.unit, inside)
+            paint_mark(panel.surface, place, 4.5 * panel.unit, inside)
 
     def _paint_kite(self, panel: Panel, motion: Motion) -> None:
         """Paints an arrowhead that flies nose first, its wings in the colours of the kite's."""

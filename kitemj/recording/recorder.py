@@ -18,8 +18,8 @@ import pyarrow as pa
 
 from kitemj.errors import InputError
 from kitemj.files import check_new
-from kitemj.locks import locked
 from kitemj.flight.pilot_settings import PilotSettings
+from kitemj.locks import locked
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.rig import rig_of
 from kitemj.recording.checksum import ABOUT, sealed

@@ -10,8 +10,8 @@ from kitemj.flight.guided_table import NOBODY, NUMBERS, PHASE
 from kitemj.flight.pilot_settings import PHASES, PilotSettings
 from kitemj.physics.rig import Rig
 from kitemj.physics.shaping import StickLaw
-from kitemj.recording.pilot import pilot_json
 from kitemj.recording.header import Header, to_json
+from kitemj.recording.pilot import pilot_json
 from kitemj.recording.table import ATTITUDE, HAND, LIMITS, PLACE, REFERENCE, Columns, all_columns
 
 HEADER_KEY = b"kitemj"

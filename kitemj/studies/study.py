@@ -12,6 +12,12 @@ from typing import Annotated, Any, NamedTuple
 from kitemj.data_files import SCENARIOS, STUDIES, shipped_or_file
 from kitemj.dynamics.formulation import DEFAULT_STEP, MAX_STEP, MIN_STEP, MODELS
 from kitemj.errors import InputError
+from kitemj.flight.pilot_settings import (
+    PathSettings,
+    PilotSettings,
+    SensorSettings,
+    TurnRateLaw,
+)
 from kitemj.flight.scenario import Offsets, SteeringTable, Times
 from kitemj.physics.checked import checked, unknown_key
 from kitemj.physics.code_folder import formula_hash
@@ -146,6 +152,12 @@ def _twin(field: str) -> str:
     return field.removesuffix("_deg") if field.endswith("_deg") else f"{field}_deg"
 
 
+def _nested() -> list[str]:
+    """Names, with dots, of what is in the tables within [pilot]."""
+    kinds = {"path": PathSettings, "sensors": SensorSettings, "law": TurnRateLaw}
+    return [f"{table}.{field}" for table, kind in kinds.items() for field in field_names(kind)]
+
+
 def _check_name(name: str, source: str) -> None:
     """Raises InputError for what no scenario and no setting is called."""
     section, dot, field = name.partition(".")
@@ -154,6 +166,7 @@ def _check_name(name: str, source: str) -> None:
         "start": ["at", *Offsets._fields],
         **{key: field_names(kind) for key, kind in SECTIONS.items()},
     }
+    sections["pilot"] = [*field_names(PilotSettings), *_nested()]
     for key, registry in LAWS.items():
         sections[key] = [NAMED_BY[key], *chain(*(field_names(registry[law]) for law in registry))]
     whole = ["set", *Times._fields, *Settings._fields]

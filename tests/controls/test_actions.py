@@ -17,7 +17,7 @@ from kitemj.controls.actions import (
     Wishes,
 )
 from kitemj.controls.keys import KEYS, MENU_KEYS, REPLAY_KEYS, TOGGLES
-from kitemj.controls.pads import STANDARD
+from kitemj.controls.pads import STANDARD, TRIGGERS
 
 STEERING = {pygame.K_LEFT, pygame.K_RIGHT, pygame.K_UP, pygame.K_DOWN}
 STEERING |= {pygame.K_w, pygame.K_a, pygame.K_s, pygame.K_d}
@@ -36,7 +36,9 @@ def test_every_action_is_on_the_help_page_by_a_key():
 
 
 def test_pads_ask_for_what_there_is():
-    assert set(STANDARD.values()) <= NAMES
+    asked = [*STANDARD.values(), *TRIGGERS.values()]
+    assert set(asked) <= NAMES
+    assert len(set(asked)) == len(asked)
 
 
 def test_each_instrument_has_its_key():

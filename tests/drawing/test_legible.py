@@ -23,7 +23,9 @@ from kitemj.drawing.history import CHART_COLUMNS, Traces
 from kitemj.drawing.instruments import Instruments
 from kitemj.drawing.picture import Picture
 from kitemj.drawing.readings import Readings
+from kitemj.drawing.wished import Wished
 from kitemj.flight.limits import LIMITS, Departure
+from kitemj.flight.pilot_settings import Guided
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector
 from kitemj.pilots.course import LessonStatus
@@ -79,6 +81,9 @@ def recent(name: str, age: float = 2.0) -> Readings:
     return Readings(traces=TRACES._replace(alarm=alarm, twist=0.0), stick="keys", gap=1.234e-7)
 
 
+WISHED = Wished(None, Guided("untwist", 0.217, 123.4, 0.3, 0.5, 12.0))
+"""As much as an autopilot may have to tell."""
+
 MOMENTS: dict[str, tuple[Any, Readings]] = {
     "calm": (CALM, Readings(assist=True, speed=0.25, stick="gamepad", gap=2.5)),
     "slack": (SLACK, Readings(speed=0.0, missed_ticks=3, traces=TRACES)),
@@ -99,6 +104,7 @@ MOMENTS: dict[str, tuple[Any, Readings]] = {
     "lesson": (CALM, Readings(lesson=LESSON)),
     "praise": (CALM, Readings(lesson=LESSON._replace(praised=True, push=0.0))),
     "crash": (CALM, Readings(touch=CRASH, lesson=LESSON._replace(down=True), message=GONE)),
+    "guided": (CALM, Readings(wished=WISHED, speed=0.0, message=GONE, stick="autopilot")),
     "landed": (CALM, Readings(touch=SOFT, lesson=LESSON)),
     **{f"was {limit.name}": (CALM, recent(limit.name)) for limit in LIMITS},
     "all": (CALM, recent("overload", 0.0)._replace(lesson=LESSON, message=GONE, assist=True)),

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from kitemj.errors import FlightError, InputError
-from kitemj.flight.live import Command
+from kitemj.flight.live import TICK, Command
 from kitemj.flight.scenario import scenario_of
-from kitemj.realtime.messages import Assisted, Deed, Rate
+from kitemj.realtime.messages import Assisted, Deed, Piloted, Rate
 from kitemj.realtime.process import FlightProcess
 from kitemj.recording.file import read_recording
 from kitemj.recording.live import FlightSetup
@@ -22,6 +22,7 @@ from kitemj.recording.resume import resume_point
 
 pytestmark = pytest.mark.alone
 SCENARIO = scenario_of({"set": "sport", "duration": 60.0}, "test")
+FIGURES = ("eight", "circle", "hold", "land")
 PATIENCE = 30.0
 """s; for what takes milliseconds on a machine that has nothing else to do."""
 
@@ -183,3 +184,55 @@ def test_when_the_painter_is_killed_the_recording_is_closed_and_no_process_stays
     recording = read_recording(path)
     assert recording.ending == "the program that showed it was ended"
     assert len(recording) > 100
+
+
+def test_the_autopilot_takes_over_is_told_of_and_gives_back_without_a_jerk(tmp_path):
+    """δ̇ is continuous within the hands' limit on δ̈, at hand-over and at taking back."""
+    physics = FlightProcess(setup(tmp_path / "x.arrows"))
+    physics.wait()
+    assert [name for name, offer in physics.offers.items() if not offer.fault] == list(FIGURES)
+    assert np.linalg.norm(physics.offers["eight"].path, axis=1) == pytest.approx(1.0)
+    physics.start()
+    physics.ask(Command(0.6))
+    heard = until(lambda news: len(news) > 30, physics)
+    physics.ask(Piloted("eight"))
+    physics.ask(Command())
+    heard += until(lambda news: len(news) > 150, physics)
+    physics.ask(Piloted(""))
+    physics.ask(Command(-0.6))
+    heard += until(lambda news: len(news) > 30, physics)
+    physics.stop("left by the pilot")
+    guided = [news.guided is not None for news in heard]
+    assert np.diff(np.array(guided, int)).tolist().count(1) == 1, "on once"
+    assert np.diff(np.array(guided, int)).tolist().count(-1) == 1, "off once"
+    assert {news.guided.phase for news in heard if news.guided} <= {"climb", "path"}
+    rates = np.array([news.result.motion.control.delta_dot for news in heard])
+    limits = SCENARIO.parameters.stick
+    assert np.abs(np.diff(rates)).max() <= limits.delta_ddot * TICK * (1 + 1e-9)
+    assert np.abs(rates).max() <= limits.delta_dot * (1 + 1e-9)
+    assert np.abs(rates).max() > 0.1, "the hands moved at all"
+    assert replay(read_recording(tmp_path / "x.arrows"), "mujoco").identical
+
+
+def test_after_going_back_the_autopilot_begins_anew(flying):
+    flying.ask(Piloted("circle"))
+    until(lambda news: len(news) > 150, flying)
+    flying.ask(Deed.RESTART)
+    heard = until(lambda news: any(each.result.motion.t == 0.0 for each in news), flying)
+    heard += until(lambda news: len(news) > 20, flying)
+    start = next(i for i, each in enumerate(heard) if each.result.motion.t == 0.0)
+    assert heard[start].guided is None, "nobody flew to the start"
+    assert {each.guided.phase for each in heard[start + 1 :]} == {"climb"}
+    assert {each.guided.lap for each in heard[start + 1 :]} == {0.0}
+
+
+def test_a_kite_that_does_not_turn_is_offered_nothing_and_says_why():
+    physics = FlightProcess(FlightSetup(scenario_of({"set": "thesis", "duration": 60.0}, "test")))
+    physics.wait()
+    assert list(physics.offers) == list(FIGURES)
+    assert all("turns away from the hand that pulls" in o.fault for o in physics.offers.values())
+    physics.start()
+    physics.ask(Piloted("eight"))
+    heard = until(lambda news: len(news) > 20, physics)
+    assert all(news.guided is None for news in heard)
+    physics.stop("over")
