@@ -66,6 +66,7 @@ class Autopilot:
         first = self.settings.phases[0]
         self.memory = Memory(0, first, t, t, 0.0, 0.0, self._rehearsed)
         self.guided = Guided(first, nan, nan, nan, nan, 0.0)
+        self._observer.resume(SavedObserver(None, None))  # it looked away meanwhile
 
     def save(self) -> SavedAutopilot:
         """All that is remembered of the flight."""

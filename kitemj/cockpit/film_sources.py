@@ -10,16 +10,20 @@ from typing import Any
 import numpy as np
 
 from kitemj.autopilot.guided_flight import simulate_as_said
+from kitemj.cockpit.film_paths import path_flown
 from kitemj.cockpit.parallel_painting import Shot
 from kitemj.cockpit.screens import FRAME_RATE
 from kitemj.drawing.history import History, Traces
 from kitemj.drawing.readings import Readings
 from kitemj.drawing.recorded_traces import RecordedTraces
+from kitemj.drawing.wished import Wished
 from kitemj.dynamics.formulation import DEFAULT_STEP
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.compare import position_gap
+from kitemj.flight.guided_table import guided_at
 from kitemj.flight.limits import departure_at
+from kitemj.flight.pilot_settings import PilotSettings
 from kitemj.flight.scenario import Scenario, as_scenario, check_rows
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control
@@ -38,11 +42,16 @@ SAME = 1e-6
 class MotionSource:
     """A simulated flight, beside the motions of a reference at the same times if there are any.
 
-    `stick` says what steered. Raises InputError for a flight that has columns only.
+    `stick` says what steered; `pilot`: what its autopilot was told, if one flew. Raises InputError
+    for a flight that has columns only.
     """
 
     def __init__(
-        self, flight: Flight, references: Sequence[Motion] = (), stick: str = "simulated"
+        self,
+        flight: Flight,
+        references: Sequence[Motion] = (),
+        stick: str = "simulated",
+        pilot: PilotSettings | None = None,
     ) -> None:
         if not flight.motions:
             why = "was read from a file and has no motions: film the file"
@@ -54,6 +63,7 @@ class MotionSource:
         self._times = [motion.t for motion in flight.motions]
         self._history, self._known = History(self.parameters), 0
         self.duration = self._times[-1]
+        self._guided, self._path = flight.guided, path_flown(self.parameters, pilot)
 
     def shot(self, t: float, speed: float) -> Shot:
         """The shot at `t` [s], between two motions too, shown `speed` times as fast as it was."""
@@ -71,8 +81,14 @@ class MotionSource:
             message=departure.limit.sentence if departure else "",
             traces=self._traces(row),
             touch=touch_at(self.parameters, motion, self._motions[row - 1] if row else None),
+            wished=self._wished(row),
         )
         return Shot(motion, reference, readings)
+
+    def _wished(self, row: int) -> Wished | None:
+        """What the autopilot told of the tick that ended at `row`; at the start of the next."""
+        told = [each for each in self._guided[row : row + 2] if each]
+        return Wished(self._path, told[0]) if told else None
 
     def _traces(self, row: int) -> Traces:
         """What a watcher of all motions up to `row` remembers there."""
@@ -115,6 +131,7 @@ class RecordingSource:
         self._missed = np.cumsum(self._columns["lateness_s"] > self._tick)
         self._traces = RecordedTraces(recording, self._track)
         self._starts = [episode.start for episode in recording.episodes]
+        self._path = path_flown(recording.parameters, recording.pilot)
 
     def shot(self, t: float, speed: float) -> Shot:
         """The shot at `t` [s], between two ticks too, shown `speed` times as fast as it was."""
@@ -140,8 +157,14 @@ class RecordingSource:
             traces=self._traces.at(row),
             touch=self._touch(row),
             assist=isfinite(float(columns[HAND][row])),
+            wished=self._wished(row),
         )
         return Shot(motion, reference, readings)
+
+    def _wished(self, row: int) -> Wished | None:
+        """What the autopilot told at `row`; of no scenario, it may fly any path."""
+        guided = guided_at(self._columns, row)
+        return Wished(self._path, guided) if guided else None
 
     def _touch(self, row: int) -> Touch | None:
         """How the kite met the ground that it is on at `row`."""
@@ -182,5 +205,8 @@ def film_source(
     references = simulate_as_said(framed, "lagrange", step).motions
     flight = flight_of_simulation(simulate_as_said(framed, model, step))
     return MotionSource(
-        replace(flight, name=f"{scenario.source}: {model}"), references, "programme"
+        replace(flight, name=f"{scenario.source}: {model}"),
+        references,
+        "autopilot" if scenario.pilot else "programme",
+        scenario.pilot,
     )

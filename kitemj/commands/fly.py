@@ -226,7 +226,7 @@ def _fly_unseen(
 
     open_graphics(16, 16).context.free()  # what cannot be painted is told before it is flown
     stick, duration = programme or show_of(scenario.parameters), args.duration or SHOW_DURATION
-    guided = programme is None and getattr(scenario, "pilot", None) is not None
+    guided = programme is None and scenario.pilot is not None
     who = "the autopilot" if guided else f"a {stick.name}"
     why = "as asked, no window" if args.headless else "there is no display"
     print(

@@ -68,11 +68,11 @@ class HandOver:
         """Takes back where the person's stick was pushed."""
         if not self.flown:
             return
-        further = map(_beyond, stick[:2], self._held[:2])
-        if _pushed(stick) and _pushed(Command(*further)):
+        ways = [(stick.delta, self._held.delta), (stick.ell, self._held.ell)]
+        if any(abs(now) > BAND and _further(now, held) > BAND for now, held in ways):
             self.take_back()
-        nearest = (min(both, key=abs) for both in zip(stick[:2], self._held[:2], strict=True))
-        self._held = Command(*nearest)
+        delta, ell = (min(both, key=abs) for both in ways)
+        self._held = Command(delta, ell)
 
     def _begin(self, stick: Command) -> None:
         if fault := self._offers.get(self._marked, "there is no autopilot here"):
@@ -82,10 +82,6 @@ class HandOver:
         self._say(f"the autopilot flies {SAID[self.flown]}; push the stick to take back")
 
 
-def _beyond(now: float, held: float) -> float:
+def _further(now: float, held: float) -> float:
     """How much further out a way of the stick is, or on the other side; 0: it is coming back."""
     return abs(now) if now * held < 0.0 else max(abs(now) - abs(held), 0.0)
-
-
-def _pushed(stick: Command) -> bool:
-    return max(abs(stick.delta), abs(stick.ell)) > BAND

@@ -1,7 +1,8 @@
 """What an autopilot told of itself, as columns of tables and recordings."""
 
-from collections.abc import Sequence
-from math import degrees, nan, tau
+from collections.abc import Mapping, Sequence
+from math import degrees, nan, radians, tau
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,16 @@ def guided_numbers(guided: Guided | None) -> list[float]:
         return [nan] * len(NUMBERS)
     _, error, laps, azimuth, elevation, twist = guided
     return [degrees(error), laps, degrees(azimuth), degrees(elevation), twist / tau]
+
+
+def guided_at(columns: Mapping[str, NDArray[Any]], row: int) -> Guided | None:
+    """What was told in a `row` of a recording; None where no autopilot flew."""
+    code = int(columns[PHASE][row])
+    if code == NOBODY:
+        return None
+    error, laps, azimuth, elevation, twist = (float(columns[name][row]) for name in NUMBERS)
+    at = radians(azimuth), radians(elevation)
+    return Guided(PHASES[code], radians(error), laps, *at, tau * twist)
 
 
 def guided_columns(told: Sequence[Guided | None]) -> dict[str, NDArray[np.generic]]:

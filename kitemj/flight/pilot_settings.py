@@ -5,9 +5,9 @@ from typing import Annotated, Literal, NamedTuple
 
 from kitemj.physics.quantity import Quantity
 
-PHASES = ("launch", "climb", "path", "untwist", "hold", "land")
-"""Of a flight, by name."""
 PhaseName = Literal["launch", "climb", "path", "untwist", "hold", "land"]
+PHASES: tuple[PhaseName, ...] = ("launch", "climb", "path", "untwist", "hold", "land")
+"""Of a flight, by name."""
 
 
 class PathSettings(NamedTuple):

@@ -21,7 +21,7 @@ def autopilots(flight: SteeredFlight) -> tuple[dict[str, Autopilot], dict[str, O
     and begins anew.
     """
     made, offers = dict[str, Autopilot](), dict[str, Offer]()
-    asked, fault = getattr(flight.scenario, "pilot", None), ""
+    asked, fault = flight.scenario.pilot, ""
     for flown in (*(("scenario",) if asked else ()), "eight", "circle", "hold", "land"):
         if fault:  # of the kite itself
             offers[flown] = Offer(fault=fault)

@@ -9,7 +9,7 @@ from contextlib import suppress
 from math import nan
 
 from kitemj.autopilot.autopilot import Autopilot
-from kitemj.flight.live import TICK, Command, Saved
+from kitemj.flight.live import TICK, Command
 from kitemj.pilots.assist import Assist
 from kitemj.pilots.crash import FirstTouch
 from kitemj.realtime.memory import peak_memory
@@ -23,7 +23,7 @@ from kitemj.realtime.messages import (
     Timekeeping,
     Wish,
 )
-from kitemj.realtime.rewind import RewindHistory
+from kitemj.realtime.rewind import Moment, RewindHistory
 from kitemj.recording.live import LiveFlight, RecordedTick
 
 MAX_LAG = 0.25
@@ -137,15 +137,20 @@ class Pacer:
         elif deed is Deed.REWIND:
             self._resume(self._rewind.back(self._flight))
         elif deed is Deed.SAVE:
-            self._rewind.mark(self._flight)
+            self._rewind.mark(self._flight, self._autopilot)
         elif deed is Deed.LOAD:
             self._resume(self._rewind.recall())
 
-    def _resume(self, saved: Saved | None) -> None:
-        if saved:
-            self._flight.resume(saved)
+    def _resume(self, moment: Moment | None) -> None:
+        """Back to `moment`; the autopilot that flew it goes on as it did, another begins anew."""
+        if moment:
+            knows = moment.knows if moment.autopilot is self._autopilot else None
+            self._flight.resume(moment.flight, knows.guided if knows else None)
             self._ground = FirstTouch(self._flight.parameters)
-            self._begin_anew()
+            if self._autopilot and knows:
+                self._autopilot.resume(knows)
+            else:
+                self._begin_anew()
             self._report(Command())
 
     def _begin_anew(self) -> None:
@@ -155,7 +160,7 @@ class Pacer:
 
     def _see(self, command: Command) -> None:
         """What comes of a start or a tick."""
-        self._rewind.see(self._flight)
+        self._rewind.see(self._flight, self._autopilot)
         self._report(command)
 
     def _report(self, command: Command) -> None:

@@ -76,9 +76,12 @@ class LiveFlight(SteeredFlight):
         super().restart(start)
         return self._add(Command())
 
-    def resume(self, saved: Saved) -> TickResult:
-        """Back to a moment that `save` returned; begins an episode, which goes on from there."""
-        self.hand, self.guided = nan, None
+    def resume(self, saved: Saved, guided: Guided | None = None) -> TickResult:
+        """Back to a moment that `save` returned; begins an episode, which goes on from there.
+
+        `guided`: what the autopilot told then, where it goes on with what it knew.
+        """
+        self.hand, self.guided = nan, guided
         super().resume(saved)
         return self._add(Command())
 

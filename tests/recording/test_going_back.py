@@ -8,7 +8,8 @@ from kitemj.errors import InputError
 from kitemj.flight.live import TICK
 from kitemj.flight.scenario import scenario_of
 from kitemj.realtime import rewind
-from kitemj.realtime.messages import Deed, Rate, Stop
+from kitemj.realtime.autopilots import autopilots
+from kitemj.realtime.messages import Deed, Piloted, Rate, Stop
 from kitemj.realtime.pacer import Pacer
 from kitemj.realtime.rewind import BACK, EVERY
 from kitemj.recording.file import read_recording
@@ -19,7 +20,7 @@ from tests.recording.flights import live_flight, restless
 SPORT = {"set": "sport", "duration": 60.0}
 
 
-def paced(flight, doings, past=()):
+def paced(flight, doings, past=(), autopilots=None):
     """The news of ticks one by one, not by the clock; `doings`: numbers of ticks, and wishes."""
     stick = (command._replace(delta=0.3 * command.delta) for command in restless(3))
     news = []
@@ -34,7 +35,7 @@ def paced(flight, doings, past=()):
                 yield Deed(doing) if isinstance(doing, str) else doing
         yield Stop("done")
 
-    flight.close(Pacer(flight, wishes, news.append).run(past))
+    flight.close(Pacer(flight, wishes, news.append, autopilots).run(past))
     return news
 
 
@@ -151,3 +152,15 @@ def test_a_flight_that_begins_at_another_start_is_flown_again_from_there(tmp_pat
     ].tolist() == [1, 1]
     assert replay(recording, "mujoco").identical
     assert resume_point(recording).scenario.start == other
+
+
+def test_an_autopilot_that_went_back_flies_the_same_again(tmp_path):
+    """Open loop and closed loop, to the same bits: it goes on from what it knew then."""
+    flight = live_flight({**SPORT, "pilot": {}}, record=tmp_path / "x.arrows")
+    made, _ = autopilots(live_flight({**SPORT, "pilot": {}}))
+    doings = [30, Piloted("scenario"), 700, "rewind", 150, "save", 120, "load", 60, "restart", 40]
+    paced(flight, doings, autopilots=made)
+    recording = read_recording(tmp_path / "x.arrows")
+    assert len(recording.episodes) == 4
+    assert replay(recording, "mujoco").identical
+    assert replay(recording, "mujoco", closed_loop=True).identical
