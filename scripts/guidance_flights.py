@@ -8,10 +8,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from kitemj.autopilot.autopilot import Autopilot
-from kitemj.autopilot.check_path import usual_path
 from kitemj.autopilot.follow import advanced, vector_at
-from kitemj.autopilot.identify import identified_law
-from kitemj.autopilot.sphere import direction, right_of
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.equilibrium import equilibrium
@@ -20,11 +17,14 @@ from kitemj.flight.limits import GROUND, VALIDITY, departure_at
 from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.flight.pilot_settings import PilotSettings, SensorSettings
 from kitemj.flight.scenario import Scenario, Times
+from kitemj.paths.check_path import usual_path
+from kitemj.paths.sphere import direction, right_of
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines, rest_ell
 from kitemj.physics.vectors import dot, minus
 from kitemj.pilots.sight import sight
+from kitemj.turning.identify import identified_law
 
 LAPS, PATIENCE = 12, 150.0
 """Laps of a trial, and s until then at most."""

@@ -6,9 +6,6 @@ import numpy as np
 
 from kitemj.autopilot.drift_design import QUICK, DriftDesign, drift_design
 from kitemj.autopilot.follow import Estimate
-from kitemj.autopilot.gains import ACTUATOR
-from kitemj.autopilot.hands import moved
-from kitemj.autopilot.linear_law import in_still_air
 from kitemj.autopilot.sensors import Sensors
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
@@ -18,6 +15,9 @@ from kitemj.flight.pilot_settings import Guided, PilotSettings
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
+from kitemj.turning.gains import ACTUATOR
+from kitemj.turning.hands import moved
+from kitemj.turning.linear_law import in_still_air
 
 AHEAD = QUICK / ACTUATOR**2
 """s; a wish so far ahead of the hands moves them at the rate that is wanted."""

@@ -6,8 +6,8 @@ from kitemj.autopilot.follow import Estimate
 from kitemj.autopilot.memory import Asked, Kite, Memory, to_heading, to_point
 from kitemj.autopilot.nose import leaning
 from kitemj.autopilot.sketch import DOWNWIND
-from kitemj.autopilot.sphere import course, direction, tangential
 from kitemj.flight.live import TICK
+from kitemj.paths.sphere import course, direction, tangential
 from kitemj.physics.vectors import Vector, norm, times
 from kitemj.pilots.sight import LEFT, RIGHT
 

@@ -22,7 +22,9 @@ from kitemj.autopilot.flight_model import (
 )
 from kitemj.autopilot.follow import Estimate
 from kitemj.autopilot.sensors import Measurement, Sensors, Underway
-from kitemj.autopilot.sphere import (
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.pilot_settings import SensorSettings, TurnRateLaw
+from kitemj.paths.sphere import (
     ahead_of,
     azimuth_of,
     course,
@@ -30,8 +32,6 @@ from kitemj.autopilot.sphere import (
     elevation_of,
     right_of,
 )
-from kitemj.dynamics.motion import Motion
-from kitemj.flight.pilot_settings import SensorSettings, TurnRateLaw
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, dot, norm, plus, times
