@@ -17,7 +17,6 @@ if TYPE_CHECKING:
         sweep,
         trim,
     )
-    from kitemj.autopilot.identification import Identification
     from kitemj.dynamics.formulation import MODELS
     from kitemj.dynamics.motion import Motion, State
     from kitemj.equilibria.cycle import Cycle
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
     from kitemj.flight.limits import Ending
     from kitemj.flight.live import TICK, Command, TickResult
     from kitemj.flight.scenario import Scenario, as_scenario
-    from kitemj.margins.margins import LoopMargins
     from kitemj.physics.parameter_files import parameter_set, set_names
     from kitemj.physics.parameters import Parameters
     from kitemj.physics.shaping import StickLaw
@@ -41,7 +39,9 @@ if TYPE_CHECKING:
     from kitemj.recording.file import Recording, read_recording
     from kitemj.recording.live import LiveFlight
     from kitemj.recording.replay import Replay
+    from kitemj.robustness.margins import LoopMargins
     from kitemj.studies.result import StudyResult
+    from kitemj.turning.identification import Identification
 
     __version__: str
 
@@ -57,7 +57,7 @@ __all__ = [
 
 _MODULES = {
     "api": "compare cycle film identify margins replay simulate stability sweep trim",
-    "autopilot.identification": "Identification",
+    "turning.identification": "Identification",
     "dynamics.formulation": "MODELS",
     "dynamics.motion": "Motion State",
     "errors": "FlightError InputError NoGraphics",
@@ -66,7 +66,7 @@ _MODULES = {
     "flight.live": "TICK Command TickResult",
     "flight.scenario": "Scenario as_scenario",
     "physics.parameter_files": "parameter_set set_names",
-    "margins.margins": "LoopMargins",
+    "robustness.margins": "LoopMargins",
     "physics.parameters": "Parameters",
     "physics.shaping": "StickLaw",
     "pilots.manoeuvres": "Eight Hold Land Loop Pilot",

@@ -16,18 +16,18 @@ from kitemj.flight.scenario import Scenario, as_scenario
 from kitemj.tables import Results
 
 if TYPE_CHECKING:
-    from kitemj.autopilot.identification import Identification
     from kitemj.equilibria.cycle import Cycle
     from kitemj.equilibria.modes import Stability
     from kitemj.equilibria.trim import Trim
     from kitemj.flight.compare import Comparison
-    from kitemj.margins.margins import LoopMargins
     from kitemj.pilots.manoeuvres import Pilot
     from kitemj.plots.flight import Flight
     from kitemj.recording.file import Recording
     from kitemj.recording.replay import Replay
+    from kitemj.robustness.margins import LoopMargins
     from kitemj.studies.result import StudyResult
     from kitemj.studies.study import Study
+    from kitemj.turning.identification import Identification
 
 Given = Scenario | str | Path | Mapping[str, Any]
 """What a scenario can be given as."""
@@ -111,8 +111,8 @@ def identify(scenario: Given, model: str = "lagrange") -> Identification:
     The name of a parameter set will do. Raises InputError where there is no equilibrium to
     begin at; that no law holds is an answer, told by `holds`.
     """
-    from kitemj.autopilot.identify import identify
     from kitemj.flight.scenario import parameters_named
+    from kitemj.turning.identify import identify
 
     if isinstance(scenario, str | Path):
         return identify(parameters_named(str(scenario)), model, Path(scenario).name)
@@ -126,7 +126,7 @@ def margins(scenario: Given, points: int = 16) -> LoopMargins:
     Raises InputError for a scenario without [pilot], and a path that is not followed.
     """
     from kitemj.flight.pilot_settings import PilotSettings
-    from kitemj.margins.margins import loop_margins
+    from kitemj.robustness.margins import loop_margins
 
     known = as_scenario(scenario)
     settings = getattr(known, "pilot", PilotSettings())

@@ -8,8 +8,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from kitemj.autopilot.autopilot import Autopilot
-from kitemj.autopilot.check_path import usual_path
-from kitemj.autopilot.identify import identified_law
+from kitemj.autopilot.follow import advanced, vector_at
+from kitemj.dynamics.motion import Motion
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.gliding import gliding
@@ -17,9 +17,14 @@ from kitemj.flight.limits import GROUND, VALIDITY, departure_at
 from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.flight.pilot_settings import PilotSettings, SensorSettings
 from kitemj.flight.scenario import Scenario, Times
+from kitemj.paths.check_path import usual_path
+from kitemj.paths.sphere import direction, right_of
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines, rest_ell
+from kitemj.physics.vectors import dot, minus
+from kitemj.pilots.sight import sight
+from kitemj.turning.identify import identified_law
 
 LAPS, PATIENCE = 12, 150.0
 """Laps of a trial, and s until then at most."""
@@ -134,7 +139,7 @@ def measured(trial: Trial, parameters: Parameters, pilot: Autopilot) -> Result:
             continue
         first = guided.lap if first is None else first
         now = motion.control.delta, motion.air.beta, min(motion.tensions), guided.lap
-        rows.append((guided.error, *now))
+        rows.append((off_path(pilot, motion), *now))
         if guided.lap - first >= LAPS:
             ending = ""
             break
@@ -150,6 +155,15 @@ def still(parameters: Parameters, *place: float) -> Scenario:
     else:
         start = gliding(parameters, 0.0, pi / 2 - equilibrium(parameters).gamma, 0.0)
     return Scenario("trial", parameters, rest, start, Times(PATIENCE), False)
+
+
+def off_path(pilot: Autopilot, motion: Motion) -> float:
+    """rad that G truly is off the path that is flown, where the pilot is on it; right positive."""
+    seen = sight(motion)
+    p, path = direction(seen.azimuth, seen.elevation), pilot.path
+    place = advanced(path, pilot.memory.progress, p)
+    ahead = vector_at(path, path.ahead, place)
+    return dot(minus(p, vector_at(path, path.points, place)), right_of(p, ahead))
 
 
 def summary(trial: Trial, rows: np.ndarray, ending: str) -> Result:
@@ -225,7 +239,7 @@ def gusts(gusty: Gusty) -> Outcome:
             if left.limit is GROUND:
                 break
         if pilot.guided.phase == "path":
-            errors.append(pilot.guided.error)
+            errors.append(off_path(pilot, result.motion))
     rms = degrees(sqrt(float(np.mean(np.square(errors))))) if errors else inf
     drawn = gusty, wind, amplitude, frequency, place
     return Outcome(*drawn, limit, when, reading, beyond / ticks, rms)

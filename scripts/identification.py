@@ -9,14 +9,14 @@ import sys
 from math import isnan
 from pathlib import Path
 
-from kitemj.autopilot.identification import Identification
-from kitemj.autopilot.identify import identify
-from kitemj.autopilot.turning_fit import Fit
 from kitemj.errors import InputError
 from kitemj.files import new_file
 from kitemj.flight.scenario import parameters_named
 from kitemj.progress_bar import with_progress
 from kitemj.tables import Cell, Table, print_table, titled_markdown
+from kitemj.turning.identification import Identification
+from kitemj.turning.identify import identify
+from kitemj.turning.turning_fit import Fit
 
 WINDS = (5.0, 6.5, 8.0)
 """m/s."""

@@ -21,8 +21,6 @@ from numpy.typing import NDArray
 
 from handling_flights import Place as Start
 from handling_flights import left_alone, on_the_sky
-from kitemj.autopilot.identification_plot import SIZE, draw_identification
-from kitemj.autopilot.identify import identify
 from kitemj.dynamics.motion import attachment_E
 from kitemj.dynamics.straight import straight_body
 from kitemj.flight.equilibrium import equilibrium_state
@@ -33,6 +31,8 @@ from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.shaping import StickLaw, asked, shaped
 from kitemj.physics.steering import Control, control, line_motion, rest_ell
 from kitemj.physics.vectors import Vector, unrotated
+from kitemj.turning.identification_plot import SIZE, draw_identification
+from kitemj.turning.identify import identify
 from path_figures import shapes, worked_out
 
 ROOT = Path(__file__).parent.parent

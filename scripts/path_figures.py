@@ -8,14 +8,14 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from kitemj.autopilot.autopilot import Autopilot
-from kitemj.autopilot.check_path import usual_path
-from kitemj.autopilot.feasibility import turning_on
-from kitemj.autopilot.glide import glide_ratio, with_weight
-from kitemj.autopilot.lemniscate import flat, half_height, sharpest_bend, widest
-from kitemj.autopilot.paths import Path, path_of
 from kitemj.autopilot.rehearse import on_path
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.pilot_settings import PathSettings, PilotSettings, TurnRateLaw
+from kitemj.paths.check_path import usual_path
+from kitemj.paths.feasibility import turning_on
+from kitemj.paths.glide import glide_ratio, with_weight
+from kitemj.paths.lemniscate import flat, half_height, sharpest_bend, widest
+from kitemj.paths.path import Path, path_of
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import norm

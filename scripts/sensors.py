@@ -14,16 +14,16 @@ import numpy as np
 
 from guidance_flights import IDEAL, KITES, REAL, of
 from kitemj.autopilot.autopilot import Autopilot
-from kitemj.autopilot.check_path import usual_path
-from kitemj.autopilot.identify import identified_law
 from kitemj.autopilot.observer import Observer
 from kitemj.autopilot.rehearse import on_path
 from kitemj.autopilot.truth import true_estimate
 from kitemj.errors import InputError
 from kitemj.files import new_file
 from kitemj.flight.pilot_settings import PilotSettings
+from kitemj.paths.check_path import usual_path
 from kitemj.pilots.sight import turned
 from kitemj.tables import Table, print_table, titled_markdown
+from kitemj.turning.identify import identified_law
 
 WINDS, GUSTS, TICKS, SETTLED = (5.0, 6.5, 8.0), (0.0, 0.3), 2500, 100
 """m/s, parts of it at 1 rad/s, ticks of a flight, and those that are not counted."""

@@ -10,8 +10,6 @@ import numpy as np
 from kitemj.autopilot.drift_design import DriftDesign, Sideways, drift_design
 from kitemj.autopilot.drift_hold import DriftHold
 from kitemj.autopilot.follow import Estimate
-from kitemj.autopilot.hands import moved
-from kitemj.autopilot.linear_law import in_still_air
 from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.formulation import make_model
 from kitemj.dynamics.motion import Motion, State
@@ -20,13 +18,15 @@ from kitemj.equilibria.trim import equilibria, trimmed
 from kitemj.errors import FlightError
 from kitemj.flight.live import TICK, Command, SteeredFlight
 from kitemj.flight.scenario import Scenario, Times
-from kitemj.margins.drift_loop import kite_answer, loop_gain
 from kitemj.physics.compiled import Array
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters, StickLimits
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Sines
 from kitemj.pilots.sight import sight
+from kitemj.robustness.drift_loop import kite_answer, loop_gain
+from kitemj.turning.hands import moved
+from kitemj.turning.linear_law import in_still_air
 
 NEARLY = 0.9
 """Of the way; who is so far has arrived."""

@@ -15,8 +15,10 @@ ROOMS = (
     ("flight", ("dynamics",)),
     ("pilots", ("flight",)),
     ("equilibria", ("flight",)),
-    ("autopilot", ("pilots", "equilibria")),
-    ("margins", ("autopilot",)),
+    ("turning", ("pilots", "equilibria")),
+    ("paths", ("turning",)),
+    ("autopilot", ("paths",)),
+    ("robustness", ("autopilot",)),
     ("studies", ("autopilot",)),
     ("recording", ("autopilot",)),
     ("plots", ("recording",)),
@@ -26,7 +28,7 @@ ROOMS = (
     ("sound", ("flight",)),
     ("drawing", ("pilots", "recording", "controls", "scene")),
     ("cockpit", ("drawing", "realtime", "plots", "sound")),
-    ("commands", ("cockpit", "plots", "margins", "studies")),
+    ("commands", ("cockpit", "plots", "robustness", "studies")),
 )
 """Each room with those right below it; it may import these and all that they may."""
 

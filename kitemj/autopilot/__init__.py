@@ -1,1 +1,1 @@
-"""A machine that flies the kite: its turning identified, paths on the sphere, sensors, phases."""
+"""A machine that flies the kite: sensors, observer, guidance, phases."""

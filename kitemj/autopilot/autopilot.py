@@ -3,26 +3,27 @@
 from math import hypot, nan, pi
 from typing import NamedTuple
 
-from kitemj.autopilot.check_path import check_path, usual_path
+from kitemj.autopilot.design_margins import check_gain
 from kitemj.autopilot.follow import Estimate, stick_for
-from kitemj.autopilot.gains import Gains
-from kitemj.autopilot.glide import glide_ratio
-from kitemj.autopilot.hands import moved
-from kitemj.autopilot.identify import identified_law
 from kitemj.autopilot.laps import laps
 from kitemj.autopilot.memory import Kite, Memory
 from kitemj.autopilot.nose import CLEAR, most_delta
 from kitemj.autopilot.observer import Observer, SavedObserver
-from kitemj.autopilot.paths import path_of
 from kitemj.autopilot.phases import flown
 from kitemj.autopilot.rehearse import rehearsed
 from kitemj.autopilot.sketch import HandLimits, wind_felt
-from kitemj.autopilot.sphere import azimuth_of, direction, elevation_of
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.live import Command
 from kitemj.flight.pilot_settings import Guided, PathSettings, PilotSettings, TurnRateLaw
+from kitemj.paths.check_path import check_path, usual_path
+from kitemj.paths.glide import glide_ratio
+from kitemj.paths.path import path_of
+from kitemj.paths.sphere import azimuth_of, direction, elevation_of
 from kitemj.physics.parameters import Parameters
+from kitemj.turning.gains import Gains
+from kitemj.turning.hands import moved
+from kitemj.turning.identify import identified_law
 
 SLIP = 0.8
 """Of the largest sideslip angle, what the pilot asks for; gusts take the rest."""
@@ -53,6 +54,7 @@ class Autopilot:
         self._parameters, self.settings = parameters, settings
         self.law = law or settings.law or identified_law(parameters)
         self.gains = Gains(settings.crossover)
+        check_gain(settings, self.gains, self.law)
         self.kite = kite_of(parameters, settings, self.law, self.gains)
         self.path = self.kite.path
         self._rehearsed = rehearsed(parameters, self.path, self.law, self.gains)

@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 from scipy.optimize import brentq
 
-from kitemj.autopilot.gains import Gains, lead_time
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PilotSettings, TurnRateLaw
+from kitemj.turning.gains import Gains, lead_time
 
 LEAST_GAIN = 3.0
 """dB; a loop that keeps less is not flown: the kite's own gain changes by as much on its path."""

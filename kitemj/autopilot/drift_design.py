@@ -20,8 +20,6 @@ from typing import NamedTuple
 import numpy as np
 from scipy.linalg import expm, solve_continuous_are, solve_discrete_are
 
-from kitemj.autopilot.gains import ACTUATOR, DAMPING
-from kitemj.autopilot.linear_law import in_still_air
 from kitemj.dynamics.motion import Motion, air_of
 from kitemj.equilibria.linearise import LINEAR, jacobian, linearise, state_units
 from kitemj.equilibria.minimal import Minimal
@@ -32,6 +30,8 @@ from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
 from kitemj.pilots.sight import sight
+from kitemj.turning.gains import ACTUATOR, DAMPING
+from kitemj.turning.linear_law import in_still_air
 
 SIDEWAYS = [0, 2, 4, 6]
 """Of x = (q, q̇): φ, η and their rates; about a symmetric equilibrium they move alone."""

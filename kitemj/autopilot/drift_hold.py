@@ -1,16 +1,12 @@
 """Holds and parks a kite that drifts away from the hand that pulls, and barely turns."""
 
-from collections.abc import Callable
 from math import degrees, nan, pi
 
 import numpy as np
 
 from kitemj.autopilot.drift_design import QUICK, DriftDesign, drift_design
 from kitemj.autopilot.follow import Estimate
-from kitemj.autopilot.gains import ACTUATOR
-from kitemj.autopilot.hands import moved
-from kitemj.autopilot.linear_law import in_still_air
-from kitemj.autopilot.truth import true_estimate
+from kitemj.autopilot.sensors import Sensors
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import InputError
 from kitemj.flight.equilibrium import equilibrium
@@ -19,6 +15,9 @@ from kitemj.flight.pilot_settings import Guided, PilotSettings
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control
+from kitemj.turning.gains import ACTUATOR
+from kitemj.turning.hands import moved
+from kitemj.turning.linear_law import in_still_air
 
 AHEAD = QUICK / ACTUATOR**2
 """s; a wish so far ahead of the hands moves them at the rate that is wanted."""
@@ -115,21 +114,21 @@ def check_slow(settings: PilotSettings, parameters: Parameters) -> None:
     check_reach(parameters, design, settings.azimuth)
 
 
+NOTHING_SEEN = Estimate(0.0, 0.0, nan, nan, 0.0, nan, nan, 0.0)
+"""Before the first measurement, which arrives at once; of speeds nothing is told."""
+
+
 class DriftPilot:
     """An autopilot of such a kite: it holds the point of the settings until the end.
 
-    `look`: what the pilot believes of a motion; it is asked once a tick.
+    It goes by the last angles that its sensors told, which the design's filter smooths.
     """
 
-    def __init__(
-        self,
-        parameters: Parameters,
-        settings: PilotSettings,
-        look: Callable[[Motion], Estimate] = true_estimate,
-    ) -> None:
-        """Raises InputError as `check_slow`."""
+    def __init__(self, parameters: Parameters, settings: PilotSettings) -> None:
+        """Raises InputError as `check_slow`, and for sensors that there cannot be."""
         check_slow(settings, parameters)
-        self.settings, self._limits, self._look = settings, parameters.stick, look
+        self.settings, self._limits = settings, parameters.stick
+        self._sensors, self._seen = Sensors(settings.sensors, settings.seed), NOTHING_SEEN
         self.hold = DriftHold(parameters, settings.azimuth)
         self._top = pi / 2 - equilibrium(in_still_air(parameters)).gamma
         self.restart(0.0)
@@ -144,6 +143,8 @@ class DriftPilot:
         """The stick, which asks for δ̈."""
         if motion.t < self._t:
             self.restart(motion.t)
-        self._t, seen = motion.t, self._look(motion)
-        self.guided = self.guided._replace(twist=seen.twist)
-        return moved(self.hold.wish(seen, motion.control), motion.control, self._limits)
+        self._t = motion.t
+        for told in self._sensors.look(motion):
+            angles = {name: getattr(told, name) for name in ("azimuth", "elevation", "heading")}
+            self._seen = NOTHING_SEEN._replace(**angles)
+        return moved(self.hold.wish(self._seen, motion.control), motion.control, self._limits)

@@ -6,8 +6,8 @@ from kitemj.autopilot.follow import Estimate
 from kitemj.autopilot.memory import Asked, Kite, Memory, to_heading, to_point
 from kitemj.autopilot.nose import leaning
 from kitemj.autopilot.sketch import DOWNWIND
-from kitemj.autopilot.sphere import course, direction, tangential
 from kitemj.flight.live import TICK
+from kitemj.paths.sphere import course, direction, tangential
 from kitemj.physics.vectors import Vector, norm, times
 from kitemj.pilots.sight import LEFT, RIGHT
 
@@ -23,8 +23,11 @@ ASIDE, STILL = radians(30.0), 1.0
 """rad of azimuth, m/s: so far out and so slow, a kite of much drag is at its edge."""
 EDGE_HEIGHT = radians(20.0)
 """Elevation of the way there."""
-SINK, QUICKEST, FLARE = 0.7, 2.0, 0.3
-"""m/s down at the ground, and at most at the edge; 1/s, how much more for each m of height."""
+SINK, QUICKEST, FLARE = 1.3, 2.0, 0.3
+"""m/s down at the ground, and at most at the edge; 1/s, how much more for each m of height.
+
+A kite that sinks more slowly has too little air to be steered: `trainer` is blown back and up.
+"""
 AT_ONCE, PRESS, DEEPEST, STEEPEST = 0.12, 0.2, 1.2, 1.3
 """rad and rad/s of the nose for each m/s that is missing; rad that are summed up, and in all."""
 

@@ -9,14 +9,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.autopilot.gains import turn_gain
-from kitemj.autopilot.glide import trim
-from kitemj.autopilot.sphere import right_of, tangential
 from kitemj.flight.pilot_settings import TurnRateLaw
+from kitemj.paths.glide import trim
+from kitemj.paths.sphere import right_of, tangential
 from kitemj.physics.aerodynamics import coefficients
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, norm, plus, times
+from kitemj.turning.gains import turn_gain
 
 STATES = 8
 """Errors along the nose and to its right [rad], of the heading [rad], of along, across [m/s],

@@ -11,12 +11,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.autopilot.gains import Gains, lead_time, turn_gain
-from kitemj.autopilot.paths import Path
-from kitemj.autopilot.sphere import ahead_of, direction, right_of, tangential
 from kitemj.flight.pilot_settings import TurnRateLaw
+from kitemj.paths.path import Path
+from kitemj.paths.sphere import ahead_of, direction, right_of, tangential
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.vectors import Vector, dot, norm, plus, times
+from kitemj.turning.gains import Gains, lead_time, turn_gain
 
 HARMONICS = 5
 """Of a lap, up to which is learnt; quicker ones the loop cannot follow in phase."""

@@ -4,8 +4,6 @@ from math import atan2, cos, inf, radians, sin
 from typing import NamedTuple
 
 from kitemj.autopilot.follow import NEAR, Estimate, advanced, at, length_of, vector_at
-from kitemj.autopilot.gains import lead_time
-from kitemj.autopilot.paths import Path
 from kitemj.autopilot.sketch import (
     LONG,
     STEP,
@@ -19,9 +17,11 @@ from kitemj.autopilot.sketch import (
     off_nose,
     velocity,
 )
-from kitemj.autopilot.sphere import ahead_of, right_of, tangential
+from kitemj.paths.path import Path
+from kitemj.paths.sphere import ahead_of, right_of, tangential
 from kitemj.physics.compiled import compiled
 from kitemj.physics.vectors import dot, minus, norm, plus, times
+from kitemj.turning.gains import lead_time
 
 PLACES = 4
 """Of a path, beside which it is approached: both sides of an eight, up and down."""

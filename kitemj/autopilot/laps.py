@@ -14,10 +14,10 @@ from kitemj.autopilot.follow import (
 )
 from kitemj.autopilot.joining import ALIGNED, approach, pointed, soonest
 from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, glider_of, to_point, upward
-from kitemj.autopilot.paths import Path
 from kitemj.autopilot.sketch import begun
-from kitemj.autopilot.sphere import ahead_of, direction
 from kitemj.flight.live import TICK
+from kitemj.paths.path import Path
+from kitemj.paths.sphere import ahead_of, direction
 from kitemj.physics.vectors import dot, norm, plus, times
 
 SEARCH, SEARCHED = 0.5, 12.0

@@ -4,16 +4,16 @@ from math import nan
 from typing import NamedTuple
 
 from kitemj.autopilot.follow import Estimate, Guidance
-from kitemj.autopilot.gains import Gains
 from kitemj.autopilot.joining import NOWHERE, Joining
 from kitemj.autopilot.nose import leaning, turn_rate_for, within_half_turn
-from kitemj.autopilot.paths import Path
 from kitemj.autopilot.sketch import Glider, HandLimits, lowest, most_turning, wind_felt
-from kitemj.autopilot.sphere import direction
 from kitemj.flight.pilot_settings import PhaseName, PilotSettings, TurnRateLaw
+from kitemj.paths.path import Path
+from kitemj.paths.sphere import direction
 from kitemj.physics.compiled import Array
 from kitemj.physics.vectors import Vector
 from kitemj.pilots.sight import LEFT, RIGHT
+from kitemj.turning.gains import Gains
 
 
 class Kite(NamedTuple):

@@ -3,9 +3,9 @@
 from math import asin, pi, radians, sin
 
 from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate
-from kitemj.autopilot.gains import Gains, lead_time, turn_gain
 from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.physics.compiled import compiled
+from kitemj.turning.gains import Gains, lead_time, turn_gain
 
 LEAN, STEEP = 0.5, radians(60.0)
 """rad that the nose leans to a side for each rad of azimuth, and at most."""

@@ -22,7 +22,9 @@ from kitemj.autopilot.flight_model import (
 )
 from kitemj.autopilot.follow import Estimate
 from kitemj.autopilot.sensors import Measurement, Sensors, Underway
-from kitemj.autopilot.sphere import (
+from kitemj.dynamics.motion import Motion
+from kitemj.flight.pilot_settings import SensorSettings, TurnRateLaw
+from kitemj.paths.sphere import (
     ahead_of,
     azimuth_of,
     course,
@@ -30,8 +32,6 @@ from kitemj.autopilot.sphere import (
     elevation_of,
     right_of,
 )
-from kitemj.dynamics.motion import Motion
-from kitemj.flight.pilot_settings import SensorSettings, TurnRateLaw
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import Vector, dot, norm, plus, times
@@ -46,7 +46,7 @@ TRIM = 0.1
 """Of the airspeed; so far from trim a kite is that follows a path, and so wrong is its pull."""
 OVERHEAD = 0.1
 """Cosine of the elevation; nearer to the zenith a measured heading says nothing."""
-PUSHES = 3.0
+PUSHES = 5.0
 """(m/s)/√s of velocity that the model does not know of."""
 TURNS, BIASES = 0.8, 1.5
 """(rad/s)/√s of turning, and of what the law does not know, per its square root of time."""

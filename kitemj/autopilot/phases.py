@@ -2,8 +2,8 @@
 
 The phases of the settings are flown in turn, each until it is over. Two are also flown in between:
 `climb`, when the path was lost, and `untwist`, when the lines are wound up too far; both lead back.
-Whatever the phase, a dive that would end too low is turned up first; not at the edge,
-to land, nor in a loop, which has begun where there is room for it.
+Whatever the phase, a dive that would end too low is turned up first; not in a launch, at the edge
+to land, or in a loop, which has begun where there is room for it.
 """
 
 from collections.abc import Callable
@@ -109,8 +109,8 @@ def turned_up(kite: Kite, seen: Estimate, asked: Asked) -> Asked:
     """What is asked for; instead, in a dive off the path that would end too low, the nose up."""
     guidance, memory = asked
     on_path = not isnan(guidance.progress) and abs(guidance.error) < NEAR
-    looping = not isnan(memory.goal)
-    if on_path or looping or memory.at_edge or cos(seen.course) > 0.0:
+    looping, launched = not isnan(memory.goal), memory.phase == "launch"
+    if on_path or looping or launched or memory.at_edge or cos(seen.course) > 0.0:
         return Asked(guidance, memory._replace(refused=0.0))
     up, side, low = upward(kite, seen, memory)
     if low > kite.low:

@@ -12,10 +12,6 @@ from kitemj.autopilot.follow import (
     stick_for,
     vector_at,
 )
-from kitemj.autopilot.gains import Gains
-from kitemj.autopilot.hands import moved
-from kitemj.autopilot.paths import Path
-from kitemj.autopilot.sphere import azimuth_of, course, elevation_of
 from kitemj.autopilot.truth import true_estimate
 from kitemj.errors import FlightError
 from kitemj.flight.gliding import gliding
@@ -23,9 +19,13 @@ from kitemj.flight.limits import touches_ground
 from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.flight.scenario import Scenario, Times
+from kitemj.paths.path import Path
+from kitemj.paths.sphere import azimuth_of, course, elevation_of
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines, rest_ell
+from kitemj.turning.gains import Gains
+from kitemj.turning.hands import moved
 
 LAPS = 10
 """Each takes away half of what is missing, or more."""

@@ -7,11 +7,11 @@ from math import acos, sqrt
 from typing import NamedTuple
 
 from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate
-from kitemj.autopilot.gains import HANDS, Gains, turn_gain
-from kitemj.autopilot.sphere import ahead_of, direction, right_of, tangential
 from kitemj.flight.pilot_settings import TurnRateLaw
+from kitemj.paths.sphere import ahead_of, direction, right_of, tangential
 from kitemj.physics.compiled import compiled
 from kitemj.physics.vectors import Vector, dot, minus, norm, plus, times
+from kitemj.turning.gains import HANDS, Gains, turn_gain
 
 DOWNWIND = Vector(1.0, 0.0, 0.0)
 STEP, LONG = 0.05, 7.0

@@ -1,8 +1,8 @@
 """What a pilot without errors would believe: the yardstick of sensors and observer."""
 
 from kitemj.autopilot.follow import Estimate
-from kitemj.autopilot.sphere import course, tangential
 from kitemj.dynamics.motion import Motion
+from kitemj.paths.sphere import course, tangential
 from kitemj.physics.vectors import Vector, norm, times
 from kitemj.pilots.sight import sight
 

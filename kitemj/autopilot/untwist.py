@@ -3,9 +3,9 @@
 from math import copysign, cos, isnan, nan, pi, radians, sin, tau
 
 from kitemj.autopilot.follow import LEAST_AIRSPEED, Estimate
-from kitemj.autopilot.gains import turn_gain
 from kitemj.autopilot.memory import Asked, Kite, Memory, ask_for, to_point
-from kitemj.autopilot.sphere import direction
+from kitemj.paths.sphere import direction
+from kitemj.turning.gains import turn_gain
 
 SPARE = tau
 """rad; of the twist that lines can take, so much is left when they are unwound."""

@@ -20,8 +20,8 @@ def add(parser: Parser) -> None:
 def run(args: argparse.Namespace) -> None:
     """Prints, writes and draws what is asked for; that no law holds is an answer, too."""
     from kitemj.api import identify
-    from kitemj.autopilot.identification_plot import identification_figure
     from kitemj.physics.parameter_files import parameter_tables
+    from kitemj.turning.identification_plot import identification_figure
 
     check_results(args)
     found = identify(args.scenario, args.model)

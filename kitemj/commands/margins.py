@@ -21,7 +21,7 @@ def add(parser: Parser) -> None:
 def run(args: argparse.Namespace) -> None:
     """Prints, writes and draws what is asked for."""
     from kitemj.api import margins
-    from kitemj.margins.figure import margins_figure
+    from kitemj.robustness.figure import margins_figure
 
     check_results(args)
     found = margins(args.scenario, args.points)

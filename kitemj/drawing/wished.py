@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kitemj.autopilot.sphere import direction
 from kitemj.flight.pilot_settings import Guided
+from kitemj.paths.sphere import direction
 from kitemj.physics.vectors import Vector, cross
 from kitemj.scene.views import UP
 
@@ -16,7 +16,7 @@ FOLLOWED, LEFT = 0.95, 0.4
 
 
 class Wished(NamedTuple):
-    """`path` (n, 3): directions in the axes of `kitemj.autopilot.sphere`; None: there is none."""
+    """`path` (n, 3): directions in the axes of `kitemj.paths.sphere`; None: there is none."""
 
     path: NDArray[np.float64] | None
     guided: Guided | None = None

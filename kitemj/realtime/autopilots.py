@@ -3,10 +3,10 @@
 from copy import deepcopy
 
 from kitemj.autopilot.autopilot import Autopilot
-from kitemj.autopilot.check_path import usual_path
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.live import SteeredFlight
 from kitemj.flight.pilot_settings import PilotSettings, TurnRateLaw
+from kitemj.paths.check_path import usual_path
 from kitemj.physics.parameters import Parameters
 from kitemj.realtime.messages import Offer
 

@@ -78,7 +78,7 @@ class Timekeeping(NamedTuple):
 
 
 class Offer(NamedTuple):
-    """What the autopilot could fly: the `path` (n, 3) in the axes of `kitemj.autopilot.sphere`.
+    """What the autopilot could fly: the `path` (n, 3) in the axes of `kitemj.paths.sphere`.
 
     None: it leads along no path. `fault`: why it cannot be flown; empty: it can.
     """

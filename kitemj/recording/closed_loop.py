@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from kitemj.autopilot.autopilot import Autopilot
+from kitemj.autopilot.guided_flight import pilot_of
 from kitemj.errors import InputError
 from kitemj.flight.guided_table import NOBODY, PHASE
 from kitemj.flight.live import Command, SteeredFlight
@@ -29,11 +29,11 @@ def closed_flown(
     An episode that goes on from another is flown from that one's start.
     """
     assert recording.pilot
-    pilot = Autopilot(recording.parameters, recording.pilot)
     tick, way = recording.header.tick, recording.way_to(episode)
     steering = zip(*(recording.columns[name][way].tolist() for name in STEERING), strict=True)
     numbers, phases = (recording.columns[name][way].tolist() for name in ("tick", PHASE))
     flight, guided = _standing(recording, int(way[0]), model, step), False
+    pilot = pilot_of(flight.scenario)
     for row, k, phase, control in zip(way.tolist(), numbers, phases, steering, strict=True):
         if k > 0 and phase > NOBODY:
             if not guided:
@@ -53,5 +53,7 @@ def _standing(recording: Recording, row: int, model: str, step: float) -> Steere
     control = Control(*(float(columns[name][row]) for name in STEERING))
     start = header.states[int(columns["start"][row])]
     still = Segment(0.0, control)
-    scenario = Scenario(header.scenario, recording.parameters, still, start, Times(1.0))
+    scenario = Scenario(
+        header.scenario, recording.parameters, still, start, Times(1.0), False, recording.pilot
+    )
     return SteeredFlight(scenario, model, step=step)

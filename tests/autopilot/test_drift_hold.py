@@ -15,12 +15,12 @@ from kitemj.errors import InputError
 from kitemj.flight.live import SteeredFlight
 from kitemj.flight.pilot_settings import PilotSettings
 from kitemj.flight.scenario import Scenario, Times
-from kitemj.margins.drift_loop import closed_loop, kite_answer, loop_gain
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Control, Sines
 from kitemj.pilots.sight import sight
+from kitemj.robustness.drift_loop import closed_loop, kite_answer, loop_gain
 
 SETS = ("laksa", "thesis")
 SETTLED = radians(0.2)

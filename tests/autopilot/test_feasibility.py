@@ -7,23 +7,23 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kitemj.autopilot.check_path import COMFORT, asked_by, check_path, scaled, usual_path
-from kitemj.autopilot.feasibility import AUTHORITY, feasibility, turning_on
 from kitemj.autopilot.follow import at, follow, learn, length_of, nothing_learnt, stick_for
-from kitemj.autopilot.gains import Gains
-from kitemj.autopilot.glide import airspeeds, glide_ratio, trim, with_weight
-from kitemj.autopilot.hands import moved
-from kitemj.autopilot.paths import path_of, periodic_slope
 from kitemj.autopilot.rehearse import on_path
 from kitemj.autopilot.truth import true_estimate
 from kitemj.errors import FlightError, InputError
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.limits import touches_ground
 from kitemj.flight.pilot_settings import PathSettings, TurnRateLaw
+from kitemj.paths.check_path import COMFORT, asked_by, check_path, scaled, usual_path
+from kitemj.paths.feasibility import AUTHORITY, feasibility, turning_on
+from kitemj.paths.glide import airspeeds, glide_ratio, trim, with_weight
+from kitemj.paths.path import path_of, periodic_slope
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import norm
+from kitemj.turning.gains import Gains
+from kitemj.turning.hands import moved
 
 LAW = TurnRateLaw(0.29, -3.0, 0.4, 16.0, 2.8)
 """About that of `sport`; a kite of another size turns on radii as many times as large."""

@@ -8,17 +8,17 @@ import pytest
 from scipy.signal import lfilter
 
 import kitemj
-from kitemj.autopilot.identification import EXPLAINED
-from kitemj.autopilot.identify import identified_law, rough_law
-from kitemj.autopilot.identify import identify as identified_anew
-from kitemj.autopilot.probe import eights
-from kitemj.autopilot.turning_fit import Flown, fit_law, predicted
 from kitemj.cli import main
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.physics.aerodynamics import LinearAero, TableAero
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
+from kitemj.turning.identification import EXPLAINED
+from kitemj.turning.identify import identified_law, rough_law
+from kitemj.turning.identify import identify as identified_anew
+from kitemj.turning.probe import eights
+from kitemj.turning.turning_fit import Flown, fit_law, predicted
 
 SEEDS = 60
 KNOWN = {"c1": 0.3, "c2": -2.0, "exponent": 0.4, "lag": 2.5}

@@ -8,13 +8,13 @@ import pytest
 from kitemj.autopilot.flight_model import Flying, glide_of, moved_on
 from kitemj.autopilot.follow import Estimate
 from kitemj.autopilot.observer import Observer
-from kitemj.autopilot.sphere import ahead_of, course, direction
 from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.motion import Motion
 from kitemj.flight.gliding import gliding
 from kitemj.flight.live import Command, SteeredFlight
 from kitemj.flight.pilot_settings import SensorSettings, TurnRateLaw
 from kitemj.flight.scenario import Scenario, Times
+from kitemj.paths.sphere import ahead_of, course, direction
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.steering import Sines, rest_ell
 from kitemj.pilots.sight import turned

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from kitemj.autopilot.follow import advanced, length_of, nearest, vector_at
-from kitemj.autopilot.lemniscate import BLENDS, sharpest_bend, widest
-from kitemj.autopilot.paths import Path, courses, drifts, gliding, path_of, sampled
-from kitemj.autopilot.sphere import course, direction
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PathSettings
+from kitemj.paths.lemniscate import BLENDS, sharpest_bend, widest
+from kitemj.paths.path import Path, courses, drifts, gliding, path_of, sampled
+from kitemj.paths.sphere import course, direction
 from kitemj.physics.compiled import Array
 from kitemj.physics.vectors import Vector
 

@@ -14,8 +14,8 @@ from math import atan2, cos, hypot, radians, sin, sqrt
 import pytest
 from scipy.optimize import brentq
 
-from kitemj.autopilot.identify import identified_law
 from kitemj.physics.parameters import Parameters
+from kitemj.turning.identify import identified_law
 from tests.autopilot.test_identify import in_wind, of_size
 
 NEAR = 0.05

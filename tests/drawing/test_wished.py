@@ -7,7 +7,6 @@ import pygame
 import pytest
 from numpy.typing import NDArray
 
-from kitemj.autopilot.sphere import direction
 from kitemj.drawing.flight_panels import window_title
 from kitemj.drawing.instruments import WINDOW_TOP, Instruments
 from kitemj.drawing.readings import Readings
@@ -15,6 +14,7 @@ from kitemj.drawing.sky_path import DASH, EDGE, GAP, PATH, SHADE, WIDTH, paint_s
 from kitemj.drawing.wind_window import WindWindow, bearing
 from kitemj.drawing.wished import FOLLOWED, LEFT, Wished, in_E
 from kitemj.flight.pilot_settings import Guided
+from kitemj.paths.sphere import direction
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.vectors import Vector, times
 from kitemj.scene.views import CAMERAS, downwind, pixel

@@ -11,10 +11,10 @@ from kitemj.autopilot.design_margins import (
     design_margins,
     largest_crossover,
 )
-from kitemj.autopilot.gains import Gains
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PilotSettings, TurnRateLaw
-from kitemj.margins.frozen import margins_of
+from kitemj.robustness.frozen import margins_of
+from kitemj.turning.gains import Gains
 
 LAW = TurnRateLaw(0.34, -1.6, 0.4, 15.0, 2.5)
 SAMPLED = 0.02

@@ -7,7 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from kitemj.margins.floquet import (
+from kitemj.physics.compiled import Array
+from kitemj.robustness.floquet import (
     delay_margin,
     disk_margin,
     gain_margins,
@@ -15,9 +16,8 @@ from kitemj.margins.floquet import (
     multipliers,
     phase_margin,
 )
-from kitemj.margins.frozen import margins_of
-from kitemj.margins.linear import Opened
-from kitemj.physics.compiled import Array
+from kitemj.robustness.frozen import margins_of
+from kitemj.robustness.linear import Opened
 
 from .test_frozen import CROSSOVER, TICK, integrator
 

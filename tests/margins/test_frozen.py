@@ -5,8 +5,8 @@ from math import degrees, exp, log10, pi
 import numpy as np
 import pytest
 
-from kitemj.margins.frozen import margins_of
 from kitemj.physics.compiled import Array
+from kitemj.robustness.frozen import margins_of
 
 TICK = 0.01
 CROSSOVER, DELAY = 2.0, 0.1

@@ -6,11 +6,11 @@ import pytest
 from kitemj.flight.live import TICK
 from kitemj.flight.pilot_settings import PilotSettings
 from kitemj.flight.scenario import as_scenario
-from kitemj.margins.floquet import changed, gain_margins, multipliers
-from kitemj.margins.linear import Opened, opened
-from kitemj.margins.loop import Lap, Loop, flown_loop, steady_lap
-from kitemj.margins.verify import growth_flown
 from kitemj.physics.compiled import Array
+from kitemj.robustness.floquet import changed, gain_margins, multipliers
+from kitemj.robustness.linear import Opened, opened
+from kitemj.robustness.loop import Lap, Loop, flown_loop, steady_lap
+from kitemj.robustness.verify import growth_flown
 
 Known = tuple[Loop, Lap, Opened, Array]
 

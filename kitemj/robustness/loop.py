@@ -12,9 +12,6 @@ import numpy as np
 
 from kitemj.autopilot.autopilot import Autopilot
 from kitemj.autopilot.follow import follow, length_of, stick_for
-from kitemj.autopilot.gains import Gains
-from kitemj.autopilot.hands import moved
-from kitemj.autopilot.paths import Path
 from kitemj.autopilot.truth import true_estimate
 from kitemj.dynamics.formulation import Model, make_model
 from kitemj.dynamics.motion import Motion, State
@@ -23,11 +20,14 @@ from kitemj.flight.limits import touches_ground
 from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.flight.pilot_settings import PilotSettings, TurnRateLaw
 from kitemj.flight.scenario import Scenario
+from kitemj.paths.path import Path
 from kitemj.physics.compiled import Array
 from kitemj.physics.frames import Angles
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.shaping import asked, shaped
 from kitemj.physics.steering import Control, Segment, control, rest_ell
+from kitemj.turning.gains import Gains
+from kitemj.turning.hands import moved
 
 STATES = 11
 DELTA, DELTA_DOT, PROGRESS = 8, 9, 10

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from kitemj.autopilot.identification import Identification
-from kitemj.autopilot.turning_fit import EVEN, Fit, Flown, delayed, first, looked_at, predicted
 from kitemj.physics.compiled import Array
+from kitemj.turning.identification import Identification
+from kitemj.turning.turning_fit import EVEN, Fit, Flown, delayed, first, looked_at, predicted
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

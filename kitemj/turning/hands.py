@@ -1,10 +1,10 @@
 """Hands that follow a wished δ: a damped spring within the limits of any hand."""
 
-from kitemj.autopilot.gains import ACTUATOR, DAMPING
 from kitemj.flight.live import Command
 from kitemj.physics.parameters import StickLimits
 from kitemj.physics.shaping import StickLaw
 from kitemj.physics.steering import Control
+from kitemj.turning.gains import ACTUATOR, DAMPING
 
 
 def moved(wish: float, now: Control, limits: StickLimits) -> Command:

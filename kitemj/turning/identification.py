@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from math import nan
 
-from kitemj.autopilot.linear_law import LinearLaw
-from kitemj.autopilot.probe import EARLY, Probe
-from kitemj.autopilot.turning_fit import SLOWEST, Fit, Numbers
 from kitemj.flight.live import TICK
 from kitemj.physics.parameters import Parameters
 from kitemj.tables import Cell, Table, Tabled
+from kitemj.turning.linear_law import LinearLaw
+from kitemj.turning.probe import EARLY, Probe
+from kitemj.turning.turning_fit import SLOWEST, Fit, Numbers
 
 EXPLAINED = 0.8
 """Of the turn rate's variance, in a part of the flight that was not fitted; where a law explains

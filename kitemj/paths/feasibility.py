@@ -5,12 +5,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.autopilot.gains import turn_gain
-from kitemj.autopilot.glide import airspeeds, with_weight
-from kitemj.autopilot.paths import Path, courses, drifts, periodic_slope
 from kitemj.flight.pilot_settings import TurnRateLaw
+from kitemj.paths.glide import airspeeds, with_weight
+from kitemj.paths.path import Path, courses, drifts, periodic_slope
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
+from kitemj.turning.gains import turn_gain
 
 AUTHORITY = 0.9
 """Of the stick's way, rate and acceleration, what a path may ask for; the rest is for errors."""

@@ -5,9 +5,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.autopilot.gains import HANDS
-from kitemj.autopilot.hands import moved
-from kitemj.autopilot.turning_fit import SLOWEST, Flown
 from kitemj.dynamics.motion import Motion
 from kitemj.errors import FlightError
 from kitemj.flight.equilibrium import equilibrium_state
@@ -20,6 +17,9 @@ from kitemj.physics.parameters import Parameters
 from kitemj.physics.steering import Sines, rest_ell
 from kitemj.pilots.manoeuvres import DIVE, Pilot
 from kitemj.pilots.sight import sight, turned
+from kitemj.turning.gains import HANDS
+from kitemj.turning.hands import moved
+from kitemj.turning.turning_fit import SLOWEST, Flown
 
 HARMONICS = np.array([3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0])
 """Of the slowest wave, which are flown: seven sines."""

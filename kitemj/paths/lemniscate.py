@@ -7,8 +7,8 @@ from math import pi, sqrt, tan
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from kitemj.autopilot.sphere import axes_at
 from kitemj.flight.pilot_settings import PathSettings
+from kitemj.paths.sphere import axes_at
 from kitemj.physics.compiled import Array
 
 Curve = Callable[[Array], tuple[Array, Array, Array]]

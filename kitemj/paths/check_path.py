@@ -7,14 +7,14 @@ from typing import Literal
 import numpy as np
 from scipy.optimize import brentq
 
-from kitemj.autopilot.feasibility import AUTHORITY, SLOWEST, STRAY, Feasibility, feasibility
-from kitemj.autopilot.glide import STOPPED, glide_ratio
-from kitemj.autopilot.paths import curve_of, path_of, place
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PathSettings, TurnRateLaw
+from kitemj.paths.feasibility import AUTHORITY, SLOWEST, STRAY, Feasibility, feasibility
+from kitemj.paths.glide import STOPPED, glide_ratio
+from kitemj.paths.path import curve_of, path_of, place
 from kitemj.physics.parameters import Parameters
 
-COMFORT = 0.7
+COMFORT = 0.6
 """Of the hands' limits, what a path that is chosen for the kite asks for."""
 BRISK = 1.0
 """winds over the ground, at least, on such a path: slower kites fly it less exactly."""

@@ -7,15 +7,15 @@ from typing import NamedTuple
 import numpy as np
 
 from kitemj.autopilot.autopilot import Autopilot
-from kitemj.autopilot.check_path import usual_path
 from kitemj.autopilot.follow import length_of
 from kitemj.errors import FlightError
 from kitemj.flight.limits import touches_ground
 from kitemj.flight.live import TICK, SteeredFlight
 from kitemj.flight.pilot_settings import PilotSettings, TurnRateLaw
 from kitemj.flight.scenario import Scenario
-from kitemj.margins.loop import PROGRESS, Lap, Loop
+from kitemj.paths.check_path import usual_path
 from kitemj.physics.compiled import Array
+from kitemj.robustness.loop import PROGRESS, Lap, Loop
 
 PUSH = 1e-3
 """rad, of the heading: small enough that nothing comes to its limits while it dies out."""

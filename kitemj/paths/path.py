@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from kitemj.autopilot.lemniscate import Curve, lemniscate
-from kitemj.autopilot.sphere import axes_at, azimuth_of, direction, elevation_of
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import PathSettings
+from kitemj.paths.lemniscate import Curve, lemniscate
+from kitemj.paths.sphere import axes_at, azimuth_of, direction, elevation_of
 from kitemj.physics.compiled import Array
 from kitemj.physics.vectors import Vector
 
@@ -29,7 +29,7 @@ SHARPEST = 200.0
 class Path(NamedTuple):
     """A closed curve sampled at equal arcs of `spacing` [rad]; the last point is before the first.
 
-    `points`, `ahead` (n, 3): directions and unit courses, axes of `kitemj.autopilot.sphere`.
+    `points`, `ahead` (n, 3): directions and unit courses, axes of `kitemj.paths.sphere`.
     `curvature` (n,) [1]: geodesic, how much the course turns to the right for each rad of way.
     `speed` (n,): of the kite, in winds, by glide alone; `turning` (n,): how much the nose turns
     for each rad of way, which is the curvature and the change of drift.
@@ -161,7 +161,7 @@ def gliding(points: Array, ahead: Array, glide: float) -> Array:
 
 
 def courses(path: Path) -> Array:
-    """The course [rad] from up (n,), to the right, as `kitemj.autopilot.sphere.course`."""
+    """The course [rad] from up (n,), to the right, as `kitemj.paths.sphere.course`."""
     up = np.array([0.0, 0.0, 1.0]) - path.points[:, 2:] * path.points
     right = np.cross(up, path.points)
     return np.asarray(

@@ -26,7 +26,7 @@ class Gains(NamedTuple):
     crossover: float = 0.4
     waiting: float = HANDS
     outlook: float = 2.0
-    ease: float = 0.3
+    ease: float = 0.2
     feedback: float = 0.2
     recovery: float = 0.7
     learning: float = 0.5

@@ -4,14 +4,14 @@ from functools import lru_cache
 
 import numpy as np
 
-from kitemj.autopilot.identification import Identification
-from kitemj.autopilot.linear_law import LinearLaw, in_still_air, linear_law
-from kitemj.autopilot.probe import AT_REST, Probe, eights, signal_for, standing
-from kitemj.autopilot.turning_fit import SLOWEST, Fit, Flown, fit_law, looked_at
 from kitemj.errors import InputError
 from kitemj.flight.pilot_settings import TurnRateLaw
 from kitemj.physics.compiled import Array
 from kitemj.physics.parameters import Parameters
+from kitemj.turning.identification import Identification
+from kitemj.turning.linear_law import LinearLaw, in_still_air, linear_law
+from kitemj.turning.probe import AT_REST, Probe, eights, signal_for, standing
+from kitemj.turning.turning_fit import SLOWEST, Fit, Flown, fit_law, looked_at
 
 SHORTEST = 10.0
 """s; of a test flight that ended early, so much is needed."""

@@ -6,11 +6,11 @@ from typing import NamedTuple
 import numpy as np
 
 from kitemj.autopilot.follow import vector_at
-from kitemj.autopilot.sphere import course, direction, tangential
 from kitemj.autopilot.truth import true_estimate
-from kitemj.margins.loop import PROGRESS, STATES, Lap, Loop
+from kitemj.paths.sphere import course, direction, tangential
 from kitemj.physics.compiled import Array
 from kitemj.physics.vectors import norm, times
+from kitemj.robustness.loop import PROGRESS, STATES, Lap, Loop
 
 STEPS = np.array([1e-5] * 4 + [1e-4] * 4 + [1e-5, 1e-4, 1e-5])
 """Of central differences in x, rad and rad/s: their error is some 1e-8 of what is found, and

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.margins.linear import Opened
 from kitemj.physics.compiled import Array
+from kitemj.robustness.linear import Opened
 
 MOST_GAIN = 32.0
 """Beyond, a gain margin is no longer looked for; 30 dB."""

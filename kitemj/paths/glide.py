@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kitemj.autopilot.paths import Path, nose_turning
 from kitemj.flight.equilibrium import equilibrium
+from kitemj.paths.path import Path, nose_turning
 from kitemj.physics.aerodynamics import coefficients
 from kitemj.physics.compiled import Array, compiled
 from kitemj.physics.parameters import Parameters

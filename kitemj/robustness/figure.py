@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kitemj.flight.live import TICK
-from kitemj.margins.frozen import response
-from kitemj.margins.margins import GAIN, PHASE, LoopMargins
+from kitemj.robustness.frozen import response
+from kitemj.robustness.margins import GAIN, PHASE, LoopMargins
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -9,7 +9,8 @@ from kitemj.errors import InputError
 from kitemj.flight.live import TICK
 from kitemj.flight.pilot_settings import PilotSettings
 from kitemj.flight.scenario import Scenario
-from kitemj.margins.floquet import (
+from kitemj.pilots.sight import sight
+from kitemj.robustness.floquet import (
     Floquet,
     delay_margin,
     disk_margin,
@@ -17,11 +18,10 @@ from kitemj.margins.floquet import (
     multipliers,
     phase_margin,
 )
-from kitemj.margins.frozen import Margins, margins_of, python_control
-from kitemj.margins.linear import Opened, opened
-from kitemj.margins.loop import Lap, Loop, flown_loop, steady_lap
-from kitemj.margins.verify import Trial, growth_flown, trials
-from kitemj.pilots.sight import sight
+from kitemj.robustness.frozen import Margins, margins_of, python_control
+from kitemj.robustness.linear import Opened, opened
+from kitemj.robustness.loop import Lap, Loop, flown_loop, steady_lap
+from kitemj.robustness.verify import Trial, growth_flown, trials
 from kitemj.tables import Table, Tabled
 
 GAIN, PHASE = 6.0, 45.0

@@ -1,0 +1,1 @@
+"""How a kite turns: the law of turning, its identification, the gains and hands that follow."""

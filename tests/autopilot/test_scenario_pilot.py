@@ -1,0 +1,149 @@
+"""A pilot in a scenario: read, flown, compared, recorded, replayed with the loop closed, swept."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import kitemj
+from kitemj.autopilot.autopilot import Autopilot
+from kitemj.errors import InputError
+from kitemj.flight.guided_table import NOBODY, NUMBERS, PHASE
+from kitemj.flight.pilot_settings import PHASES
+from kitemj.flight.scenario import scenario_of
+from kitemj.plots.flight import Flight
+from kitemj.recording.file import Recording, read_recording
+from kitemj.recording.live import LiveFlight
+
+SECONDS = 6.0
+"""Of a flight: enough to join the path from the top and turn on it."""
+TABLES: dict[str, Any] = {
+    "set": "sport",
+    "duration": SECONDS,
+    "output_interval": 0.1,
+    "pilot": {
+        "seed": 3,
+        "path": {"elevation_deg": 39.0, "width_deg": 80.0, "height_deg": 27.0},
+        "sensors": {"rate": 50.0, "delay": 0.05, "noise_deg": 0.5},
+    },
+}
+WIDE = 55.0
+"""deg of azimuth; a path 80 deg wide around 39 deg of elevation reaches 51 deg."""
+LOOP_GAP = 1e-5
+"""m; between formulations with an autopilot in the loop, as is claimed for a minute."""
+
+
+def with_pilot(**changes: object) -> dict[str, Any]:
+    """The tables with other entries under [pilot]."""
+    return {**TABLES, "pilot": {**TABLES["pilot"], **changes}}
+
+
+@pytest.fixture(scope="module")
+def flight() -> Flight:
+    return kitemj.simulate(TABLES, "lagrange")
+
+
+@pytest.fixture(scope="module")
+def recording(tmp_path_factory: pytest.TempPathFactory) -> Recording:
+    """A flight of which a hand takes one second in the middle, and gives it back."""
+    path = tmp_path_factory.mktemp("recording") / "guided.arrows"
+    scenario = scenario_of(TABLES, "guided.toml")
+    assert scenario.pilot
+    pilot = Autopilot(scenario.parameters, scenario.pilot)
+    with LiveFlight(scenario, "lagrange", record=path) as live:
+        for k in range(300):
+            if 100 <= k < 200:
+                live.guided = None
+                live.tick(kitemj.Command(0.1))
+                continue
+            if k == 200:
+                pilot.restart(live.result.motion.t)
+            command = pilot.command(live.result.motion)
+            live.guided = pilot.guided
+            live.tick(command)
+    return read_recording(path)
+
+
+def test_the_table_tells_phase_and_error(flight: Flight) -> None:
+    phases = [PHASES[code] for code in flight[PHASE]]
+    assert phases[0] == "climb"
+    assert phases[-1] == "path"
+    on_path = np.array(phases) == "path"
+    assert np.isfinite(flight["path_error_deg"][on_path]).all()
+    assert abs(flight["attractor_azimuth_deg"][on_path]).max() < WIDE
+    assert flight["path_laps"][-1] > flight["path_laps"][on_path][0]
+
+
+def test_models_agree_with_the_loop_closed() -> None:
+    (compared,) = kitemj.compare(TABLES, ("newton-euler", "lagrange"))
+    assert compared.phases is True
+    assert 0.0 < compared.position.value < LOOP_GAP
+
+
+def test_noise_is_that_of_the_seed(flight: Flight) -> None:
+    again = kitemj.simulate(TABLES, "lagrange")
+    other = kitemj.simulate(with_pilot(seed=4), "lagrange")
+    assert np.array_equal(again["x_E_m"], flight["x_E_m"])
+    assert not np.array_equal(other["x_E_m"], flight["x_E_m"])
+
+
+def test_a_recording_carries_what_the_autopilot_told(recording: Recording) -> None:
+    assert recording.pilot == scenario_of(TABLES, "guided.toml").pilot
+    phases = recording.columns[PHASE]
+    assert (phases[1:101] == PHASES.index("climb")).all()
+    assert (phases[101:201] == NOBODY).all()
+    assert all(np.isnan(recording.columns[name][101:201]).all() for name in NUMBERS)
+
+
+def test_the_same_model_replays_to_the_same_bits(recording: Recording) -> None:
+    assert kitemj.replay(recording, "lagrange").identical
+    assert kitemj.replay(recording, "lagrange", closed_loop=True).identical
+
+
+def test_another_model_flies_the_loop_again(recording: Recording) -> None:
+    again = kitemj.replay(recording, "newton-euler", closed_loop=True)
+    found = again.largest_gap(again.comparable)
+    assert found
+    assert 0.0 < found[0] < LOOP_GAP
+
+
+def test_no_loop_is_closed_where_none_was(tmp_path: Path) -> None:
+    path = tmp_path / "by_hand.arrows"
+    with LiveFlight({"set": "sport", "duration": 1.0}, "lagrange", record=path) as live:
+        live.tick(kitemj.Command())
+    with pytest.raises(InputError, match="no autopilot of a scenario flew"):
+        kitemj.replay(path, "newton-euler", closed_loop=True)
+
+
+def test_a_sweep_tells_how_the_path_was_followed() -> None:
+    grid = {"pilot.crossover": [0.35, 0.4], "duration": [8.0]}
+    study = {"scenario": "pilot_eight", "model": "lagrange", "grid": grid}
+    rows = kitemj.sweep(study).table().to_pylist()
+    assert [row["pilot_phase"] for row in rows] == ["path", "path"]
+    assert rows[0]["path_error_rms_deg"] != rows[1]["path_error_rms_deg"]
+
+
+@pytest.mark.parametrize(
+    ("pilot", "sentence"),
+    [
+        ({"phases": ["climb", "fly"]}, "phases"),
+        ({"sensors": {"rate": 200.0}}, "200"),
+        ({"path": {"radius_deg": 22.0, "kind": "ring"}}, "kind"),
+        ({"crossover": 3.0}, "crossover"),
+        ({"path": {"elevation_deg": 80.0}}, "pilot.path"),
+        ({"path": {"width_deg": 20.0, "height_deg": 7.0}}, "would do"),
+        ({"paths": {}}, "paths"),
+    ],
+)
+def test_what_cannot_be_flown_is_refused_in_a_sentence(
+    pilot: dict[str, Any], sentence: str
+) -> None:
+    with pytest.raises(InputError, match=sentence) as error:
+        kitemj.simulate({**TABLES, "pilot": pilot}, "lagrange")
+    assert "\n" not in str(error.value)
+
+
+def test_one_of_pilot_and_programme_steers() -> None:
+    with pytest.raises(InputError, match="leave one of them out"):
+        scenario_of({**TABLES, "steering": {"programme": "sine"}}, "both.toml")
