@@ -6,6 +6,7 @@ from math import isnan
 
 from kitemj.flight.compare import (
     ATTITUDE_TOLERANCE,
+    GUIDED_TOLERANCE,
     POSITION_TOLERANCE,
     TENSION_TOLERANCE,
     Comparison,
@@ -31,7 +32,9 @@ TOLERANCES = {
 }
 TOLERANCES_TOLD = (
     f"Tolerances: position {POSITION_TOLERANCE * 1e6:g} µm, attitude "
-    f"{ATTITUDE_TOLERANCE * 1e6:g} µrad, tension {TENSION_TOLERANCE * 1e3:g} mN. Compared until "
+    f"{ATTITUDE_TOLERANCE * 1e6:g} µrad, with an autopilot in the loop {GUIDED_TOLERANCE * 1e6:g} "
+    f"of each; tension {TENSION_TOLERANCE * 1e3:g} mN. "
+    "Compared until "
     "a line goes slack or the kite touches the ground; valid: within all limits until then. "
     '"at rest": the kite never moved, which shows nothing of how it moves.'
 )
