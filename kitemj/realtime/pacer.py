@@ -9,6 +9,7 @@ from contextlib import suppress
 from math import nan
 
 from kitemj.autopilot.autopilot import Autopilot
+from kitemj.autopilot.drift_hold import DriftPilot
 from kitemj.flight.live import TICK, Command
 from kitemj.pilots.assist import Assist
 from kitemj.pilots.crash import FirstTouch
@@ -41,7 +42,7 @@ class Pacer:
         flight: LiveFlight,
         wishes: Callable[[], Iterable[Wish]],
         tell: Callable[[TickNews], None],
-        autopilots: Mapping[str, Autopilot] | None = None,
+        autopilots: Mapping[str, Autopilot | DriftPilot] | None = None,
     ) -> None:
         """`flight` at its start; `wishes` returns those since it was last asked, before each
         tick; `tell` is told of the start and of each tick; `autopilots` by what they fly."""
@@ -49,7 +50,7 @@ class Pacer:
         self._command, self._rate, self._start = Command(), 1.0, flight.episode.start
         self._assist, self._assisted = Assist(), False
         self._autopilots = autopilots or {}
-        self._autopilot: Autopilot | None = None
+        self._autopilot: Autopilot | DriftPilot | None = None
         self._times, self._rewind = Timekeeping(), RewindHistory()
         self._ground, self._begun = FirstTouch(flight.parameters), 0.0
         self._ending: str | None = None
@@ -147,7 +148,7 @@ class Pacer:
             knows = moment.knows if moment.autopilot is self._autopilot else None
             self._flight.resume(moment.flight, knows.guided if knows else None)
             self._ground = FirstTouch(self._flight.parameters)
-            if self._autopilot and knows:
+            if isinstance(self._autopilot, Autopilot) and knows:
                 self._autopilot.resume(knows)
             else:
                 self._begin_anew()

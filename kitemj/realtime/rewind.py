@@ -4,6 +4,7 @@ from collections import deque
 from typing import NamedTuple
 
 from kitemj.autopilot.autopilot import Autopilot, SavedAutopilot
+from kitemj.autopilot.drift_hold import DriftPilot
 from kitemj.flight.live import TICK, Saved, SteeredFlight
 
 EVERY = 1.0
@@ -18,7 +19,7 @@ class Moment(NamedTuple):
     """A moment of a flight, and of the autopilot that flew it; None: nobody did."""
 
     flight: Saved
-    autopilot: Autopilot | None
+    autopilot: Autopilot | DriftPilot | None
     knows: SavedAutopilot | None
 
 
@@ -29,12 +30,12 @@ class RewindHistory:
         self._past: deque[Moment] = deque(maxlen=round(60 * MINUTES / EVERY))
         self._marked: tuple[Moment, deque[Moment]] | None = None
 
-    def see(self, flight: SteeredFlight, autopilot: Autopilot | None = None) -> None:
+    def see(self, flight: SteeredFlight, autopilot: Autopilot | DriftPilot | None = None) -> None:
         """Keeps the moment if it is time to."""
         if flight.ticks % round(EVERY / TICK) == 0:
             self._past.append(_moment(flight, autopilot))
 
-    def mark(self, flight: SteeredFlight, autopilot: Autopilot | None = None) -> None:
+    def mark(self, flight: SteeredFlight, autopilot: Autopilot | DriftPilot | None = None) -> None:
         """Keeps the present moment, with the past that led there, until another is marked."""
         self._marked = _moment(flight, autopilot), self._past.copy()
 
@@ -58,5 +59,6 @@ class RewindHistory:
         self._past.clear()
 
 
-def _moment(flight: SteeredFlight, autopilot: Autopilot | None) -> Moment:
-    return Moment(flight.save(), autopilot, autopilot.save() if autopilot else None)
+def _moment(flight: SteeredFlight, autopilot: Autopilot | DriftPilot | None) -> Moment:
+    knows = autopilot.save() if isinstance(autopilot, Autopilot) else None
+    return Moment(flight.save(), autopilot, knows)
