@@ -33,6 +33,8 @@ OUTLOOK = 0.2
 """rad along the path to what is aimed at, at least."""
 ALIGNED = radians(35.0)
 """Of the course to the path's, at most, when the path is joined."""
+KEPT = 0.75
+"""Of the height that a way must keep, what one must keep that is flown already."""
 STAY = 0.5
 """s; so much sooner another place must be joined, to be flown to instead."""
 
@@ -125,7 +127,7 @@ def soonest(kite: Glider, path: Path, seen: Estimate, before: Joining, low: floa
         before.heading,
         before.first,
         before.progress,
-        joined_after(kite, path, seen, before, low) - STAY,
+        joined_after(kite, path, seen, before, KEPT * low) - STAY,
     )
     for i in range(PLACES):
         progress = i * length_of(path) / PLACES

@@ -30,7 +30,7 @@ LOST, ACROSS = 0.2, 1.2
 """rad off the path, and of the course to its; who is farther away joins it anew."""
 PLANNED = 0.3
 """s; so often the way to the path is looked for anew."""
-SAFE = 0.9
+SAFE = 1.0
 """Of the height of the path's lowest place, what a way to it must keep."""
 
 
