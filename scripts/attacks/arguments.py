@@ -39,6 +39,7 @@ BASES = {
     "trim": ["trim", "scenario.toml", "--models", "lagrange"],
     "stability": ["stability", "scenario.toml"],
     "identify": ["identify", "scenario.toml"],
+    "margins": ["margins", "scenario.toml"],
     "sweep": ["sweep", "study.toml", "--output", "out.parquet", "--processes", "1"],
     "pad": ["pad", "--list"],
     "reach": ["reach", "scenario.toml"],
