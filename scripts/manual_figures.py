@@ -33,7 +33,7 @@ from kitemj.physics.steering import Control, control, line_motion, rest_ell
 from kitemj.physics.vectors import Vector, unrotated
 from kitemj.turning.identification_plot import SIZE, draw_identification
 from kitemj.turning.identify import identify
-from path_figures import shapes, worked_out
+from path_figures import flown_eight, shapes, worked_out
 
 ROOT = Path(__file__).parent.parent
 Place = NDArray[np.float64]
@@ -302,6 +302,7 @@ FIGURES: dict[str, tuple[Callable[[Figure], None], tuple[float, float]]] = {
     "turning": (turning, SIZE),
     "shapes": (shapes, (7.0, 6.4)),
     "worked_out": (worked_out, (7.0, 8.2)),
+    "flown": (flown_eight, (7.0, 7.2)),
 }
 
 

@@ -8,9 +8,11 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from kitemj.autopilot.autopilot import Autopilot
+from kitemj.autopilot.guided_flight import pilot_of
 from kitemj.autopilot.rehearse import on_path
 from kitemj.flight.equilibrium import equilibrium
 from kitemj.flight.pilot_settings import PathSettings, PilotSettings, TurnRateLaw
+from kitemj.flight.scenario import scenario_of
 from kitemj.paths.check_path import usual_path
 from kitemj.paths.feasibility import turning_on
 from kitemj.paths.glide import glide_ratio, with_weight
@@ -19,6 +21,8 @@ from kitemj.paths.path import Path, path_of
 from kitemj.physics.parameter_files import parameter_set
 from kitemj.physics.parameters import Parameters
 from kitemj.physics.vectors import norm
+from kitemj.pilots.piloted import simulate_pilot
+from kitemj.pilots.sight import sight
 
 LAW = TurnRateLaw(0.29, -3.0, 0.4, 16.0, 2.8)
 """About that of `sport`."""
@@ -108,3 +112,22 @@ def flown(parameters: Parameters, settings: PathSettings) -> tuple[Values, Value
             rows.append((pilot.guided.lap % 1.0, v / WIND, motion.control.delta, *place))
     table = np.array(rows)
     return table[:, 0], table[:, 1], table[:, 2], table[:, 3:]
+
+
+def flown_eight(figure: Figure) -> None:
+    """A minute of `pilot_eight` over its path: exact sensors, and those of a real kite."""
+    real = {"rate": 50.0, "delay": 0.05, "noise_deg": 1.0}
+    rows = {"exact sensors": {}, "1° of noise, 50 a second, 50 ms late": real}
+    for axes, (what, sensors) in zip(figure.subplots(2, 1), rows.items(), strict=True):
+        tables = {"set": "sport", "duration": 60.0, "output_interval": 0.05}
+        scenario = scenario_of({**tables, "pilot": {"sensors": sensors}}, what)
+        pilot = pilot_of(scenario)
+        assert isinstance(pilot, Autopilot)
+        motions = simulate_pilot(scenario, pilot, "lagrange").motions
+        seen = np.degrees([sight(motion)[:2] for motion in motions])
+        x, y, z = pilot.path.points.T
+        wished = np.degrees([np.arctan2(y, x), np.arcsin(z)])
+        axes.plot(*np.column_stack((wished, wished[:, :1])), color=DIM, lw=5, alpha=0.6)
+        axes.plot(*seen.T, color=MARK, lw=0.7)
+        axes.plot(*seen[0], "o", color=DARK, ms=4)
+        axes.set(title=what, xlabel="azimuth [deg]", ylabel="elevation [deg]", aspect="equal")
