@@ -39,7 +39,7 @@ PHASES: dict[PhaseName, Phase] = {
     ),
     "climb": Phase(
         "to the path, on a way that bends into it and keeps off the ground",
-        "beside the path, along it, and turning as it turns",
+        "on the path to 2°, its course to 11°",
         laps.climb,
         laps.joined,
     ),
