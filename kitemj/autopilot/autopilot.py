@@ -65,7 +65,7 @@ class Autopilot:
         """Begins anew with the first phase, at time `t` [s]."""
         first = self.settings.phases[0]
         self.memory = Memory(0, first, t, t, 0.0, 0.0, self._rehearsed)
-        self.guided = Guided(first, nan, nan, nan, nan, 0.0)
+        self.guided = Guided(first, nan, nan, nan, nan, 0.0, t)
         self._observer.resume(SavedObserver(None, None))  # it looked away meanwhile
 
     def save(self) -> SavedAutopilot:
@@ -87,7 +87,8 @@ class Autopilot:
         to, memory = asked.attractor, self.memory
         lap = laps(self.kite, memory) if memory.phase == "path" else memory.laps
         at = azimuth_of(to), elevation_of(to)
-        self.guided = Guided(memory.phase, asked.error, lap, *at, seen.twist)
+        now_at = asked.error, lap, *at, seen.twist
+        self.guided = Guided(memory.phase, *now_at, self.guided.since)
         wish, most = stick_for(self.law, self.gains, seen, asked), self._most_delta(seen)
         wish = max(-most, min(most, wish))
         return moved(wish, now, self._parameters.stick)

@@ -136,8 +136,9 @@ class DriftPilot:
     def restart(self, t: float) -> None:
         """Begins anew at time `t` [s]."""
         self.hold.restart()
+        self._sensors.resume(None)  # they looked away meanwhile
         self._t = t
-        self.guided = Guided("hold", nan, nan, self.settings.azimuth, self._top, 0.0)
+        self.guided = Guided("hold", nan, nan, self.settings.azimuth, self._top, 0.0, t)
 
     def command(self, motion: Motion) -> Command:
         """The stick, which asks for δ̈."""

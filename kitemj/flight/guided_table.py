@@ -18,9 +18,11 @@ NUMBERS = (
     "attractor_azimuth_deg",
     "attractor_elevation_deg",
     "twist_turns",
+    "pilot_since_s",
 )
 """Off the path, positive to its right; laps flown; the place that is flown to, azimuth positive to
-the right; turns of the lines. Not a number where there is no such thing."""
+the right; turns of the lines; when the scenario's autopilot was handed the kite. Not a number where
+there is no such thing."""
 
 
 def phase_code(guided: Guided | None) -> int:
@@ -32,8 +34,8 @@ def guided_numbers(guided: Guided | None) -> list[float]:
     """In the order of `NUMBERS`."""
     if guided is None:
         return [nan] * len(NUMBERS)
-    _, error, laps, azimuth, elevation, twist = guided
-    return [degrees(error), laps, degrees(azimuth), degrees(elevation), twist / tau]
+    _, error, laps, azimuth, elevation, twist, since = guided
+    return [degrees(error), laps, degrees(azimuth), degrees(elevation), twist / tau, since]
 
 
 def guided_at(columns: Mapping[str, NDArray[Any]], row: int) -> Guided | None:
@@ -41,9 +43,10 @@ def guided_at(columns: Mapping[str, NDArray[Any]], row: int) -> Guided | None:
     code = int(columns[PHASE][row])
     if code == NOBODY:
         return None
-    error, laps, azimuth, elevation, twist = (float(columns[name][row]) for name in NUMBERS)
+    numbers = (float(columns[name][row]) for name in NUMBERS)
+    error, laps, azimuth, elevation, twist, since = numbers
     at = radians(azimuth), radians(elevation)
-    return Guided(PHASES[code], radians(error), laps, *at, tau * twist)
+    return Guided(PHASES[code], radians(error), laps, *at, tau * twist, since)
 
 
 def guided_columns(told: Sequence[Guided | None]) -> dict[str, NDArray[np.generic]]:

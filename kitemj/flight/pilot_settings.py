@@ -1,6 +1,6 @@
 """What the table [pilot] of a scenario says: phases, path, sensors, how quickly it steers."""
 
-from math import radians
+from math import nan, radians
 from typing import Annotated, Literal, NamedTuple
 
 from kitemj.physics.quantity import Quantity
@@ -83,8 +83,8 @@ class Guided(NamedTuple):
     """What an autopilot tells of itself at an instant.
 
     `error` [rad]: across the path, positive to its right; `lap`: laps flown, not whole;
-    `azimuth`, `elevation` [rad] of the attractor, the point it flies to. Not a number where the
-    phase has no such thing.
+    `azimuth`, `elevation` [rad] of the attractor, the point it flies to; `since` [s]: when it was
+    handed the kite. Not a number where the phase has no such thing.
     """
 
     phase: PhaseName
@@ -93,3 +93,4 @@ class Guided(NamedTuple):
     azimuth: float
     elevation: float
     twist: float
+    since: float = nan

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pyarrow as pa
 
+from kitemj.autopilot.guided_flight import simulate_as_said
 from kitemj.data_files import SCENARIOS, shipped_or_file
 from kitemj.errors import InputError
 from kitemj.flight.limits import Ending
 from kitemj.flight.scenario import Scenario, read_scenario
-from kitemj.flight.simulate import simulate
 from kitemj.metadata import about_columns, about_csv
 from kitemj.physics.parameter_files import parameter_set, told_parameters
 from kitemj.plots.flight import Flight, flight_of_recording, flight_of_simulation
@@ -58,7 +58,7 @@ def _simulated(scenario: Scenario, model: str) -> Flight:
     interval, duration = scenario.times.output_interval, scenario.times.duration
     parts = max(1, ceil(ROWS * interval / duration))
     finer = replace(scenario, times=scenario.times._replace(output_interval=interval / parts))
-    flight = flight_of_simulation(simulate(finer, model))
+    flight = flight_of_simulation(simulate_as_said(finer, model))
     if flight.notes or flight.ending is Ending.FINISHED or flight.ending is None:
         return flight
     return replace(flight, notes=(f"the flight ended early: {flight.ending.value}",))

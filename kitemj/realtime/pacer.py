@@ -11,6 +11,7 @@ from math import nan
 from kitemj.autopilot.autopilot import Autopilot
 from kitemj.autopilot.drift_hold import DriftPilot
 from kitemj.flight.live import TICK, Command
+from kitemj.flight.pilot_settings import Guided
 from kitemj.pilots.assist import Assist
 from kitemj.pilots.crash import FirstTouch
 from kitemj.realtime.memory import peak_memory
@@ -103,7 +104,7 @@ class Pacer:
             self._assist.hand = hand = stick.delta
             stick = self._assist.command(self._flight.result.motion)._replace(ell=stick.ell)
         self._flight.hand = hand
-        self._flight.guided = autopilot.guided if autopilot else None
+        self._flight.guided = self._told(autopilot.guided) if autopilot else None
         self._flight.tick(stick, due)
 
     def _obey(self) -> None:
@@ -146,13 +147,18 @@ class Pacer:
         """Back to `moment`; the autopilot that flew it goes on as it did, another begins anew."""
         if moment:
             knows = moment.knows if moment.autopilot is self._autopilot else None
-            self._flight.resume(moment.flight, knows.guided if knows else None)
+            self._flight.resume(moment.flight, self._told(knows.guided) if knows else None)
             self._ground = FirstTouch(self._flight.parameters)
             if isinstance(self._autopilot, Autopilot) and knows:
                 self._autopilot.resume(knows)
             else:
                 self._begin_anew()
             self._report(Command())
+
+    def _told(self, guided: Guided) -> Guided:
+        """What is told of the present autopilot; only the scenario's flies again in a replay."""
+        own = self._autopilot is self._autopilots.get("scenario")
+        return guided if own else guided._replace(since=nan)
 
     def _begin_anew(self) -> None:
         """The autopilot begins with the motion as it is: what it remembers is of another."""

@@ -36,7 +36,7 @@ class Header:
     """Model, reference ("": none), their longest `step` [s], the `tick` [s], parameters, starts.
 
     `versions` of the packages, of Python, of the machine, and of who brought a law or a model
-    that is not ours; `seeds` by name (nothing in a flight is random so far). Floats survive the
+    that is not ours; `seeds` by name of what is random: the noise of an autopilot's sensors. Floats survive the
     way through JSON to the last bit.
     """
 
@@ -92,6 +92,7 @@ class Header:
 
 def header_of(flight: SteeredFlight) -> Header:
     """The header of a live flight that is about to begin."""
+    pilot = flight.scenario.pilot
     header = Header(
         scenario=flight.scenario.source,
         model=flight.kite.name,
@@ -101,6 +102,7 @@ def header_of(flight: SteeredFlight) -> Header:
         starts=[[list(start.q), list(start.q_dot)] for start in flight.starts],
         written=datetime.now().astimezone().isoformat(timespec="seconds"),
         versions={},
+        seeds={"pilot": pilot.seed} if pilot else {},
     )
     return replace(header, versions=header.present_versions())
 

@@ -1,6 +1,7 @@
 """The settings of an autopilot as they stand in a recording."""
 
 import json
+from math import degrees
 from typing import Any
 
 from kitemj.errors import InputError
@@ -10,7 +11,7 @@ from kitemj.physics.checked import checked
 
 def pilot_json(pilot: PilotSettings) -> bytes:
     """The settings as JSON; floats survive to the last bit."""
-    return json.dumps(_plain(pilot)).encode()
+    return json.dumps(plain(pilot)).encode()
 
 
 def pilot_from_json(text: bytes, source: str) -> PilotSettings:
@@ -24,9 +25,18 @@ def pilot_from_json(text: bytes, source: str) -> PilotSettings:
     return checked(PilotSettings, table, "pilot", source)
 
 
-def _plain(value: Any) -> Any:
+def plain(value: Any) -> Any:
     """Named tuples as dictionaries of what is in them; what is None is left out."""
     if hasattr(value, "_asdict"):
         known = value._asdict().items()
-        return {name: _plain(each) for name, each in known if each is not None}
+        return {name: plain(each) for name, each in known if each is not None}
     return value
+
+
+def pilot_in_words(pilot: PilotSettings) -> str:
+    """What the scenario's autopilot was to fly, and how well it was told."""
+    path, sensors = pilot.path, pilot.sensors
+    phases = " ".join(("path:", path.kind)) if path else "path: the usual eight"
+    told = ", ".join(phases if phase == "path" else phase for phase in pilot.phases)
+    measured = f"{sensors.rate:g} measurements/s, {1e3 * sensors.delay:g} ms late"
+    return f"{told}; {measured}, {degrees(sensors.noise):.3g}° of noise"

@@ -7,11 +7,13 @@ from numpy.typing import NDArray
 
 from kitemj.dynamics.formulation import MODELS
 from kitemj.errors import InputError
+from kitemj.flight.guided_table import NOBODY, PHASE
 from kitemj.flight.limits import left_limits
 from kitemj.physics.parameter_files import parameter_set, parameter_tables, set_names
 from kitemj.physics.parameters import Limits
 from kitemj.recording.file import Recording
 from kitemj.recording.header import Header
+from kitemj.recording.pilot import pilot_in_words, plain
 from kitemj.recording.replay import Replay
 from kitemj.recording.table import limit_numbers
 
@@ -26,6 +28,8 @@ def facts(recording: Recording) -> dict[str, Any]:
         "recording": str(recording.path),
         "size_MB": recording.path.stat().st_size / 1e6,
         "header": vars(header),
+        "pilot": plain(recording.pilot),
+        "piloted_ticks": int((recording.columns[PHASE] > NOBODY).sum()),
         "rows": len(recording),
         "flights": [_flight(recording, episode) for episode in recording.episodes],
         "ticks": len(late),
@@ -71,6 +75,7 @@ def summary(recording: Recording) -> str:
         ("scenario", header.scenario),
         ("model", f"{header.model} {beside}, steps of {1e3 * header.step:g} ms"),
         ("parameters", parameters_in_words(header.parameters)),
+        *_autopilot_in_words(recording, held["piloted_ticks"]),
         ("seeds", seeds or "none: nothing in the flight is random"),
         ("versions", ", ".join(f"{name} {number}" for name, number in header.versions.items())),
     ]
@@ -95,6 +100,14 @@ def summary(recording: Recording) -> str:
         )
     lines += [("real time", timekeeping), ("ended", recording.ending or BROKEN_OFF)]
     return "\n".join(f"{name:<12} {text}" for name, text in lines)
+
+
+def _autopilot_in_words(recording: Recording, ticks: int) -> list[tuple[str, str]]:
+    """The scenario's autopilot, and for how long one flew, if there was one."""
+    told = [pilot_in_words(recording.pilot)] if recording.pilot else []
+    if ticks or told:
+        told.append(f"an autopilot flew {ticks} ticks of {len(recording)}")
+    return [("autopilot", text) for text in told]
 
 
 def _flight_in_words(flight: dict[str, Any], limits: Limits) -> list[str]:

@@ -3,7 +3,7 @@
 import json
 from collections.abc import Sequence
 from time import thread_time
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -73,11 +73,11 @@ def fly(base: Base, flight: int, point: Point) -> Row:
             _warm_up(tables, model, source)
         started = thread_time()
         scenario = scenario_of(tables, source)
-        rows, guided = _rows(scenario, settings.model, settings)
+        flown = _flown(scenario, settings.model, settings)
         row["cost_s"] = thread_time() - started
-        row |= _summary(scenario, rows) | _guided_summary(guided)
+        row |= _summary(scenario, flown) | _guided_summary(flown.guided)
         if settings.reference:
-            row |= _gap(scenario, rows, _rows(scenario, settings.reference, settings)[0])
+            row |= _gap(scenario, flown, _flown(scenario, settings.reference, settings))
     except Exception as error:
         said = str(error) if isinstance(error, ValueError | RuntimeError) else repr(error)
         row |= {"ending": FAILED, "reason": said}
@@ -95,21 +95,31 @@ def _inputs(flight: int, point: Point) -> Row:
     return {"flight": flight, **point, **texts}
 
 
-def _batch_rows(scenario: Scenario, model: str, settings: Settings) -> Array:
+class Flown(NamedTuple):
+    """A row of the batch's columns at each of `times` [s], and what an autopilot told there.
+
+    `whole`: whether to the scenario's end.
+    """
+
+    times: list[float]
+    rows: Array
+    whole: bool
+    guided: Sequence[Guided | None] = ()
+
+
+def _flown(scenario: Scenario, model: str, settings: Settings) -> Flown:
+    """By the autopilot in ticks, where the scenario has one, else by its programme."""
+    if scenario.pilot is not None:
+        return _piloted(scenario, model, settings)
     kite = make_model(model, scenario.parameters, settings.step)
     kite.start(scenario.start, scenario.programme)
-    times = np.array(scenario.output_times)
-    return kite.batch(scenario.programme, times, TOUCH, settings.tolerance)
+    times = scenario.output_times
+    rows = kite.batch(scenario.programme, np.array(times), TOUCH, settings.tolerance)
+    return Flown(times[: len(rows)], rows, len(rows) == len(times))
 
 
-def _rows(
-    scenario: Scenario, model: str, settings: Settings
-) -> tuple[Array, Sequence[Guided | None]]:
-    """A row at each output time, and what an autopilot told there, if one flew."""
-    if scenario.pilot is None:
-        return _batch_rows(scenario, model, settings), ()
-    found = simulate_as_said(scenario, model, settings.step)
-    kite = scenario.parameters.kite
+def _piloted(scenario: Scenario, model: str, settings: Settings) -> Flown:
+    found, kite = simulate_as_said(scenario, model, settings.step), scenario.parameters.kite
     rows = [
         [
             *motion.body.p_G_E,
@@ -119,7 +129,8 @@ def _rows(
         ]
         for motion in found.motions
     ]
-    return np.array(rows), found.guided
+    whole = found.ending is Ending.FINISHED
+    return Flown([motion.t for motion in found.motions], np.array(rows), whole, found.guided)
 
 
 def _guided_summary(guided: Sequence[Guided | None]) -> Row:
@@ -147,16 +158,16 @@ def _warm_up(tables: dict[str, Any], model: str, source: str) -> None:
         _warm.add(kind)
 
 
-def _summary(scenario: Scenario, rows: Array) -> Row:
-    times = scenario.output_times
+def _summary(scenario: Scenario, flown: Flown) -> Row:
+    times, rows, whole, _ = flown
     if not len(rows):
         return {"ending": Ending.DIVERGED.name.lower(), "flown_s": 0.0}
     ending = Ending.FINISHED
     if rows[-1, CLEARANCE] < TOUCH:
         ending = Ending.GROUND
-    elif len(rows) < len(times):
+    elif not whole:
         ending = Ending.DIVERGED
-    summary: Row = {"ending": ending.name.lower(), "flown_s": times[len(rows) - 1]}
+    summary: Row = {"ending": ending.name.lower(), "flown_s": times[-1]}
     departure = departure_in(scenario.parameters.limits, times, batch_numbers(rows))
     if departure:
         summary |= {"departure": departure.limit.name, "departure_t_s": departure.t}
@@ -167,13 +178,14 @@ def _summary(scenario: Scenario, rows: Array) -> Row:
     return summary
 
 
-def _gap(scenario: Scenario, rows: Array, reference: Array) -> Row:
+def _gap(scenario: Scenario, flown: Flown, reference: Flown) -> Row:
     """Largest distance [m] of the two, before a line is slack or a kite down (see `compare`)."""
-    limits, n = scenario.parameters.limits, min(len(rows), len(reference))
-    numbers = [batch_numbers(each[:n]) for each in (rows, reference)]
+    limits, n = scenario.parameters.limits, min(len(flown.rows), len(reference.rows))
+    rows, others = flown.rows[:n], reference.rows[:n]
+    numbers = [batch_numbers(each) for each in (rows, others)]
     kept = [limit.kept(limits, each) for limit in (SLACK, GROUND) for each in numbers]
     n = int(np.logical_and.accumulate(np.logical_and.reduce(kept)).sum())
     if n == 0:
         return {}
-    gaps = np.linalg.norm(rows[:n, X : Z + 1] - reference[:n, X : Z + 1], axis=1)
-    return {"gap_max_m": float(gaps.max()), "gap_until_s": scenario.output_times[n - 1]}
+    gaps = np.linalg.norm(rows[:n, X : Z + 1] - others[:n, X : Z + 1], axis=1)
+    return {"gap_max_m": float(gaps.max()), "gap_until_s": flown.times[n - 1]}

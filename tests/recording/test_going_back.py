@@ -164,3 +164,46 @@ def test_an_autopilot_that_went_back_flies_the_same_again(tmp_path):
     assert len(recording.episodes) == 4
     assert replay(recording, "mujoco").identical
     assert replay(recording, "mujoco", closed_loop=True).identical
+
+
+HELD = {"set": "laksa", "duration": 60.0, "start": {"phi_deg": 5.0}}
+NOISY = {"noise_deg": 1.0}
+
+
+@pytest.mark.parametrize(
+    ("tables", "doings"),
+    [
+        (
+            {**SPORT, "pilot": {}},
+            [50, Piloted("scenario"), 150, Piloted(""), Piloted("scenario"), 80],
+        ),
+        ({**SPORT, "pilot": {}}, [50, Piloted("scenario"), 150, Piloted("circle"), 80]),
+        (
+            {**HELD, "pilot": {"phases": ["hold"], "sensors": NOISY}},
+            [100, Piloted("scenario"), 700, "rewind", 100],
+        ),
+    ],
+    ids=[
+        "handed over anew between two ticks",
+        "another autopilot goes on",
+        "a held kite went back",
+    ],
+)
+def test_the_loop_is_closed_as_it_was(tmp_path, tables, doings):
+    """The scenario's autopilot begins anew where it did, and flies only what it flew."""
+    made, _ = autopilots(live_flight(tables))
+    paced(live_flight(tables, record=tmp_path / "x.arrows"), doings, autopilots=made)
+    recording = read_recording(tmp_path / "x.arrows")
+    assert np.isfinite(recording.columns["pilot_since_s"]).any()
+    assert replay(recording, "mujoco", closed_loop=True).identical
+
+
+def test_no_loop_is_closed_around_another_autopilot(tmp_path):
+    tables = {**SPORT, "pilot": {}}
+    made, _ = autopilots(live_flight(tables))
+    flight = live_flight(tables, record=tmp_path / "x.arrows")
+    paced(flight, [20, Piloted("circle"), 20], autopilots=made)
+    recording = read_recording(tmp_path / "x.arrows")
+    assert (recording.columns["pilot_phase"] >= 0).any()
+    with pytest.raises(InputError, match="no autopilot of a scenario flew"):
+        replay(recording, "mujoco", closed_loop=True)
