@@ -17,6 +17,7 @@ if TYPE_CHECKING:
         sweep,
         trim,
     )
+    from kitemj.autopilot.autopilot import Autopilot
     from kitemj.dynamics.formulation import MODELS
     from kitemj.dynamics.motion import Motion, State
     from kitemj.equilibria.cycle import Cycle
@@ -46,17 +47,18 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
-    "FIGURES", "MODELS", "PILOTS", "TICK", "Command", "Comparison", "Cycle", "Eight", "Ending",
-    "Flight", "FlightError", "Hold", "Identification", "InputError", "Land", "LiveFlight", "Loop",
-    "LoopMargins", "Motion", "NoGraphics", "Parameters", "Pilot", "Recording", "Replay", "Scenario",
-    "Sight", "Stability", "State", "StickLaw", "StudyResult", "TickResult", "Trim", "__version__",
-    "as_scenario", "compare", "cycle", "film", "identify", "margins", "parameter_set",
-    "read_flight", "read_recording", "replay", "set_names", "sight", "simulate",
+    "FIGURES", "MODELS", "PILOTS", "TICK", "Autopilot", "Command", "Comparison", "Cycle", "Eight",
+    "Ending", "Flight", "FlightError", "Hold", "Identification", "InputError", "Land", "LiveFlight",
+    "Loop", "LoopMargins", "Motion", "NoGraphics", "Parameters", "Pilot", "Recording", "Replay",
+    "Scenario", "Sight", "Stability", "State", "StickLaw", "StudyResult", "TickResult", "Trim",
+    "__version__", "as_scenario", "compare", "cycle", "film", "identify", "margins",
+    "parameter_set", "read_flight", "read_recording", "replay", "set_names", "sight", "simulate",
     "stability", "sweep", "trim",
 ]  # fmt: skip
 
 _MODULES = {
     "api": "compare cycle film identify margins replay simulate stability sweep trim",
+    "autopilot.autopilot": "Autopilot",
     "turning.identification": "Identification",
     "dynamics.formulation": "MODELS",
     "dynamics.motion": "Motion State",

@@ -21,6 +21,7 @@ FIGURES: Registry[Callable[[Any], Figure]] = Registry(
         "steering": "kitemj.plots.series:steering_figure",
         "path": "kitemj.plots.path:path_figure",
         "window": "kitemj.plots.window:window_figure",
+        "guidance": "kitemj.plots.guidance:guidance_figure",
     },
 )
 """Each takes a `Flight` and raises InputError where it lacks what would be drawn."""

@@ -33,7 +33,7 @@ def window_figure(flight: Flight) -> Figure:
     whole, close = figure.subplots(2, 1, height_ratios=(2, 3))
     for ax in (whole, close):
         sheet.plain(ax)
-        ways = [(_unbroken(seen[rows]), style) for rows, style in sheet.parts_of_way(flight)]
+        ways = [(unbroken(seen[rows]), style) for rows, style in sheet.parts_of_way(flight)]
         drawn = [ax.plot(*way.T, **style._asdict())[0] for way, style in ways]
         ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=sheet.TEXT_SIZE)
         ax.set_ylabel("elevation [deg]", fontsize=sheet.TEXT_SIZE)
@@ -61,7 +61,7 @@ def bearing(flight: Flight, p_E: Array) -> Array:
     return np.degrees([np.arctan2(right, ahead), np.arctan2(-z, np.hypot(x, y))]).T
 
 
-def _unbroken(seen: Array) -> Array:
+def unbroken(seen: Array) -> Array:
     """The angles with a gap where azimuth jumps by a whole turn, behind the pilot."""
     jumps = np.flatnonzero(np.abs(np.diff(seen[:, 0])) > 180.0) + 1
     return np.insert(seen, jumps, np.nan, axis=0)

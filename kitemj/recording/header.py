@@ -36,8 +36,8 @@ class Header:
     """Model, reference ("": none), their longest `step` [s], the `tick` [s], parameters, starts.
 
     `versions` of the packages, of Python, of the machine, and of who brought a law or a model
-    that is not ours; `seeds` by name of what is random: the noise of an autopilot's sensors. Floats survive the
-    way through JSON to the last bit.
+    that is not ours; `seeds` of what is random, by name: the noise of an autopilot's sensors.
+    Floats survive the way through JSON to the last bit.
     """
 
     __pydantic_config__: ClassVar = ConfigDict(strict=True, allow_inf_nan=False, extra="forbid")

@@ -106,7 +106,7 @@ def _autopilot_in_words(recording: Recording, ticks: int) -> list[tuple[str, str
     """The scenario's autopilot, and for how long one flew, if there was one."""
     told = [pilot_in_words(recording.pilot)] if recording.pilot else []
     if ticks or told:
-        told.append(f"an autopilot flew {ticks} ticks of {len(recording)}")
+        told.append(f"flew {ticks} ticks of {len(recording)}")
     return [("autopilot", text) for text in told]
 
 

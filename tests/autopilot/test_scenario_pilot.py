@@ -15,6 +15,7 @@ from kitemj.flight.scenario import scenario_of
 from kitemj.plots.flight import Flight
 from kitemj.recording.file import Recording, read_recording
 from kitemj.recording.live import LiveFlight
+from kitemj.recording.summary import summary
 
 SECONDS = 6.0
 """Of a flight: enough to join the path from the top and turn on it."""
@@ -114,6 +115,34 @@ def test_no_loop_is_closed_where_none_was(tmp_path: Path) -> None:
         live.tick(kitemj.Command())
     with pytest.raises(InputError, match="no autopilot of a scenario flew"):
         kitemj.replay(path, "newton-euler", closed_loop=True)
+
+
+def test_a_table_of_a_guided_scenario_is_of_its_autopilot(flight: Flight, tmp_path: Path) -> None:
+    path = tmp_path / "guided.toml"
+    path.write_text(
+        f'set = "sport"\nduration = {SECONDS}\n[pilot]\nseed = 3\n[pilot.path]\nelevation_deg = 39.0'
+        "\nwidth_deg = 80.0\nheight_deg = 27.0\n[pilot.sensors]\nrate = 50.0\ndelay = 0.05"
+        "\nnoise_deg = 0.5\n"
+    )
+    read = kitemj.read_flight(path)
+    assert read["x_E_m"][-1] == flight["x_E_m"][-1]
+    assert read.plot("guidance").axes
+
+
+def test_a_recording_says_who_flew_and_what_was_random(recording: Recording) -> None:
+    assert recording.header.seeds == {"pilot": 3}
+    told = summary(recording)
+    assert "climb, path: lemniscate; 50 measurements/s, 50 ms late, 0.5° of noise" in told
+    assert "flew 200 ticks of 301" in told
+
+
+@pytest.mark.parametrize("interval", [0.001, 0.025])
+def test_rows_of_a_sweep_are_at_ticks(interval: float) -> None:
+    """Between ticks no autopilot's flight is known; its length and ending are, whatever is asked."""
+    grid = {"duration": [2.0], "output_interval": [interval]}
+    study = {"scenario": "pilot_eight", "model": "lagrange", "grid": grid}
+    (row,) = kitemj.sweep(study).table().to_pylist()
+    assert (row["ending"], row["flown_s"]) == ("finished", 2.0)
 
 
 def test_a_sweep_tells_how_the_path_was_followed() -> None:
