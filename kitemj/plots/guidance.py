@@ -23,6 +23,7 @@ ERROR, ATTRACTOR = "path_error_deg", ("attractor_azimuth_deg", "attractor_elevat
 WISHED = sheet.LineStyle("wished for: the attractor's way", "#E0A030", "-", 3.5)
 ON_PATH = sheet.LineStyle("flown along the path", "black", "-", 0.9)
 ELSEWHERE = sheet.LineStyle("flown otherwise", "0.4", (0, (1.2, 1.2)), 1.2)
+BEYOND = sheet.LineStyle("", "#A05A00", (0, (8, 3)), 1.2)
 SHADES = ("0.97", "0.9")
 """Of the phases, in turn."""
 NARROW = 0.07
@@ -43,7 +44,8 @@ def guidance_figure(flight: Flight) -> Figure:
     for ax in (sky, below):
         sheet.plain(ax)
     _draw_ways(sky, flight, on_path)
-    sheet.foot(figure, sky.get_lines())
+    drawn = [*sky.get_lines(), *_mark_departure(below, flight)]
+    sheet.foot(figure, drawn)
     for first, last, code in _bands(phases):
         _shade(below, flight.t[[first, last]], code, flight.t)
     error = np.where(on_path, _told(flight, ERROR), np.nan)
@@ -69,6 +71,15 @@ def _draw_ways(ax: Axes, flight: Flight, on_path: NDArray[np.bool_]) -> None:
     ax.set_aspect("equal", adjustable="datalim")
     ax.set_xlabel("azimuth, to the pilot's right [deg]", fontsize=sheet.TEXT_SIZE)
     ax.set_ylabel("elevation [deg]", fontsize=sheet.TEXT_SIZE)
+
+
+def _mark_departure(ax: Axes, flight: Flight) -> list[Any]:
+    """Marks when the flight was first beyond the limits of validity; returns what is drawn."""
+    departure = flight.departure
+    if departure is None:
+        return []
+    style = BEYOND._replace(label=f"first beyond the limits of validity, at {departure}")
+    return [ax.axvline(departure.t, **style._asdict())]
 
 
 def _told(flight: Flight, name: str) -> Array:

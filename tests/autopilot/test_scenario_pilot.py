@@ -1,7 +1,8 @@
 """A pilot in a scenario: read, flown, compared, recorded, replayed with the loop closed, swept."""
 
+import re
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 import pytest
@@ -10,8 +11,15 @@ import kitemj
 from kitemj.autopilot.autopilot import Autopilot
 from kitemj.errors import InputError
 from kitemj.flight.guided_table import NOBODY, NUMBERS, PHASE
-from kitemj.flight.pilot_settings import PHASES
+from kitemj.flight.pilot_settings import (
+    PHASES,
+    PathSettings,
+    PilotSettings,
+    SensorSettings,
+    TurnRateLaw,
+)
 from kitemj.flight.scenario import scenario_of
+from kitemj.physics.quantity import Quantity
 from kitemj.plots.flight import Flight
 from kitemj.recording.file import Recording, read_recording
 from kitemj.recording.live import LiveFlight
@@ -120,9 +128,9 @@ def test_no_loop_is_closed_where_none_was(tmp_path: Path) -> None:
 def test_a_table_of_a_guided_scenario_is_of_its_autopilot(flight: Flight, tmp_path: Path) -> None:
     path = tmp_path / "guided.toml"
     path.write_text(
-        f'set = "sport"\nduration = {SECONDS}\n[pilot]\nseed = 3\n[pilot.path]\nelevation_deg = 39.0'
-        "\nwidth_deg = 80.0\nheight_deg = 27.0\n[pilot.sensors]\nrate = 50.0\ndelay = 0.05"
-        "\nnoise_deg = 0.5\n"
+        f'set = "sport"\nduration = {SECONDS}\n[pilot]\nseed = 3\n[pilot.path]\n'
+        "elevation_deg = 39.0\nwidth_deg = 80.0\nheight_deg = 27.0\n[pilot.sensors]\nrate = 50.0\n"
+        "delay = 0.05\nnoise_deg = 0.5\n"
     )
     read = kitemj.read_flight(path)
     assert read["x_E_m"][-1] == flight["x_E_m"][-1]
@@ -138,7 +146,7 @@ def test_a_recording_says_who_flew_and_what_was_random(recording: Recording) -> 
 
 @pytest.mark.parametrize("interval", [0.001, 0.025])
 def test_rows_of_a_sweep_are_at_ticks(interval: float) -> None:
-    """Between ticks no autopilot's flight is known; its length and ending are, whatever is asked."""
+    """Between ticks no guided flight is known; its length and ending are, whatever is asked."""
     grid = {"duration": [2.0], "output_interval": [interval]}
     study = {"scenario": "pilot_eight", "model": "lagrange", "grid": grid}
     (row,) = kitemj.sweep(study).table().to_pylist()
@@ -176,3 +184,16 @@ def test_what_cannot_be_flown_is_refused_in_a_sentence(
 def test_one_of_pilot_and_programme_steers() -> None:
     with pytest.raises(InputError, match="leave one of them out"):
         scenario_of({**TABLES, "steering": {"programme": "sine"}}, "both.toml")
+
+
+def test_the_manual_names_every_key() -> None:
+    """In the block of the page that is a scenario, as it is written in files."""
+    page = (Path(__file__).parents[2] / "docs" / "autopilot.md").read_text(encoding="utf-8")
+    block = page[page.index("[pilot]\n") : page.index("From Python:")]
+    named = set(re.findall(r"\b\w+\b", block))
+    for settings in (PilotSettings, PathSettings, SensorSettings, TurnRateLaw):
+        hints = get_type_hints(settings, include_extras=True)
+        for name, hint in hints.items():
+            told = [each for each in get_args(hint) if isinstance(each, Quantity)]
+            in_degrees = any(each.unit == "rad" for each in told)
+            assert (f"{name}_deg" if in_degrees else name) in named, f"{settings}: {name}"

@@ -9,6 +9,8 @@ import pytest
 from matplotlib.text import Text
 
 from kitemj.dynamics.lagrange_kite import motion_at
+from kitemj.flight.guided_table import guided_columns
+from kitemj.flight.pilot_settings import Guided
 from kitemj.plots.figures import FIGURES
 from kitemj.plots.flight import flight_of_motions, flight_of_simulation
 from kitemj.plots.limits import limits_figure
@@ -30,7 +32,10 @@ SMALLEST = 8.0  # pt
 
 @pytest.fixture(scope="module")
 def flight():
-    return flight_of_simulation(simulation())
+    """As of a scenario's table, an autopilot having flown the second half of it."""
+    found = flight_of_simulation(simulation())
+    told = [Guided("path", 0.02, t, 0.1, 0.7, 0.0) if t > 1.0 else None for t in found.t]
+    return replace(found, columns={**found.columns, **guided_columns(told)})
 
 
 @pytest.fixture(scope="module")
